@@ -1,0 +1,2 @@
+# nanoflann and Highway are needed inside the room only.
+target_link_libraries(tilth_search PRIVATE nanoflann::nanoflann hwy::hwy)

@@ -1,0 +1,50 @@
+#include <tilth/core/point_cloud.hpp>
+
+namespace tilth {
+namespace {
+
+template <class T>
+std::vector<T> pick(const std::vector<T>& values, std::span<const std::uint32_t> indices) {
+  std::vector<T> picked;
+  if (values.empty()) return picked;
+  picked.reserve(indices.size());
+  for (const std::uint32_t i : indices) picked.push_back(values[i]);
+  return picked;
+}
+
+template <class T>
+void join(std::vector<T>& values, const std::vector<T>& more, bool both_have_it) {
+  if (both_have_it) {
+    values.insert(values.end(), more.begin(), more.end());
+  } else {
+    values.clear();
+  }
+}
+
+}  // namespace
+
+PointCloud select(const PointCloud& cloud, std::span<const std::uint32_t> indices) {
+  return {pick(cloud.points, indices), pick(cloud.intensities, indices), pick(cloud.times, indices),
+          pick(cloud.rings, indices), pick(cloud.covariances, indices)};
+}
+
+PointCloud transform(const PointCloud& cloud, const Eigen::Isometry3d& T_target_source) {
+  PointCloud moved = cloud;
+  const Eigen::Matrix3d R = T_target_source.linear();
+  for (Eigen::Vector3d& p : moved.points) p = R * p + T_target_source.translation();
+  for (Eigen::Matrix3d& c : moved.covariances) c = (R * c * R.transpose()).eval();
+  return moved;
+}
+
+void append(PointCloud& cloud, const PointCloud& more) {
+  if (more.empty()) return;
+  const bool first = cloud.empty();
+  const auto both = [&](const auto& a, const auto& b) { return (first || !a.empty()) && !b.empty(); };
+  join(cloud.intensities, more.intensities, both(cloud.intensities, more.intensities));
+  join(cloud.times, more.times, both(cloud.times, more.times));
+  join(cloud.rings, more.rings, both(cloud.rings, more.rings));
+  join(cloud.covariances, more.covariances, both(cloud.covariances, more.covariances));
+  join(cloud.points, more.points, true);
+}
+
+}  // namespace tilth

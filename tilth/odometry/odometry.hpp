@@ -1,0 +1,54 @@
+// What every pipeline offers: a scan in, a pose out, with its own diagnosis.
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include <tilth/core/point_cloud.hpp>
+#include <tilth/core/scan.hpp>
+#include <tilth/core/se3.hpp>
+#include <tilth/registration/align_result.hpp>
+
+namespace tilth {
+
+/// How many points went through each stage.
+struct ScanCounts {
+  std::size_t points_in = 0;   ///< finite points within range
+  std::size_t outliers = 0;    ///< removed by the outlier filter
+  std::size_t edges = 0, planes = 0;
+};
+
+struct OdometryResult {
+  Pose T_world_lidar = Pose::Identity();  ///< at the stamp of the scan; world = the LiDAR at the first stamp
+  Vector6d velocity = Vector6d::Zero();   ///< [rad/s, m/s] of the LiDAR in its own frame during the scan, as used for deskewing
+  AlignResult alignment;                  ///< of the registration; `T_target_source` may refer to another instant of the scan
+  ScanCounts counts;
+  PointCloud filtered;                    ///< the scan without outliers, as measured (not deskewed)
+};
+
+/// Called with the name of each stage as it begins ("neighbors", "outliers", ...), so that a caller can time them.
+using StageListener = std::function<void(std::string_view stage)>;
+
+class Odometry {
+ public:
+  virtual ~Odometry() = default;
+
+  /// Registers the next scan; stamps must ascend. A scan that cannot be registered keeps the predicted pose and says
+  /// so in `alignment`.
+  virtual OdometryResult register_scan(const Scan& scan) = 0;
+
+  /// The points or Gaussian means that the next scan will be registered to, in the world frame.
+  virtual PointCloud local_map() const = 0;
+
+  void listen(StageListener listener) { listener_ = std::move(listener); }
+
+ protected:
+  void begin_stage(std::string_view name) const {
+    if (listener_) listener_(name);
+  }
+
+ private:
+  StageListener listener_;
+};
+
+}  // namespace tilth
