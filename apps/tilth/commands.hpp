@@ -1,0 +1,16 @@
+// One subcommand a file: each adds itself to the command line, with its options, help and callback.
+// A callback throws tilth::Error on bad input; what it returns through `exit_code` is the program's.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace tilth::app {
+
+void add_run(CLI::App& app, int& exit_code);
+void add_pipelines(CLI::App& app, int& exit_code);
+void add_config(CLI::App& app, int& exit_code);
+void add_evaluate(CLI::App& app, int& exit_code);
+void add_simulate(CLI::App& app, int& exit_code);
+void add_score_filter(CLI::App& app, int& exit_code);
+
+}  // namespace tilth::app
