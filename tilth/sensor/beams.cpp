@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include <tilth/sensor/beams.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kBin = 0.02 * kDegree;
+constexpr std::array kSmoothings{0.4 * kDegree, 0.2 * kDegree, 0.1 * kDegree,
+                                 0.05 * kDegree};  ///< sigma, coarsest first
+constexpr double kValley = 0.6;                    ///< of the lower peak: a shallower valley parts no beams
+constexpr double kSmallestShare = 5e-4;            ///< of all points on a beam
+constexpr double kLargestSpread = 0.15;  ///< rms distance from the beam over the spacing; 0.29 where there are no beams
+constexpr std::size_t kFewestBeams = 8, kMostBeams = 128;
+
+struct Histogram {
+  double lowest = 0.0;
+  std::vector<double> counts;
+  double centre(std::size_t bin) const { return lowest + (double(bin) + 0.5) * kBin; }
+};
+
+Histogram histogram(std::span<const double> elevations) {
+  const auto [low, high] = std::minmax_element(elevations.begin(), elevations.end());
+  Histogram h{*low - 50 * kBin, {}};
+  h.counts.resize(std::size_t((*high - *low) / kBin) + 101, 0.0);
+  for (const double e : elevations) h.counts[std::size_t((e - h.lowest) / kBin)] += 1.0;
+  return h;
+}
+
+Histogram smoothed(const Histogram& h, double sigma) {
+  const int reach = int(3.0 * sigma / kBin);
+  std::vector<double> kernel;
+  for (int k = -reach; k <= reach; ++k) kernel.push_back(std::exp(-0.5 * std::pow(k * kBin / sigma, 2)));
+  Histogram out{h.lowest, std::vector<double>(h.counts.size(), 0.0)};
+  for (std::size_t i = 0; i < h.counts.size(); ++i) {
+    if (h.counts[i] == 0.0) continue;
+    for (int k = -reach; k <= reach; ++k) {
+      const std::ptrdiff_t j = std::ptrdiff_t(i) + k;
+      if (j >= 0 && std::size_t(j) < out.counts.size())
+        out.counts[std::size_t(j)] += h.counts[i] * kernel[std::size_t(k + reach)];
+    }
+  }
+  return out;
+}
+
+/// Bins of the peaks parted by valleys deep enough.
+std::vector<std::size_t> peaks(const Histogram& h) {
+  std::vector<std::size_t> found;
+  double valley = 0.0;  // lowest count since the last peak
+  for (std::size_t i = 1; i + 1 < h.counts.size(); ++i) {
+    const double count = h.counts[i];
+    valley = std::min(valley, count);
+    if (count <= h.counts[i - 1] || count < h.counts[i + 1]) continue;
+    const bool apart = found.empty() || valley < kValley * std::min(count, h.counts[found.back()]);
+    if (apart)
+      found.push_back(i);
+    else if (count > h.counts[found.back()])
+      found.back() = i;
+    if (apart || found.back() == i) valley = count;
+  }
+  return found;
+}
+
+std::size_t nearest(std::span<const double> sorted, double value) {
+  const auto above = std::lower_bound(sorted.begin(), sorted.end(), value);
+  if (above == sorted.begin()) return 0;
+  if (above == sorted.end()) return sorted.size() - 1;
+  const std::size_t i = std::size_t(above - sorted.begin());
+  return value - sorted[i - 1] <= sorted[i] - value ? i - 1 : i;
+}
+
+struct Beams {
+  std::vector<double> elevations;
+  double spread = 1.0;  ///< rms distance of the points from their beam over the median spacing
+};
+
+Beams with_spread(std::span<const double> elevations, std::span<const double> centres) {
+  std::vector<std::size_t> count(centres.size(), 0);
+  for (const double e : elevations) ++count[nearest(centres, e)];
+  Beams beams;
+  for (std::size_t b = 0; b < centres.size(); ++b) {
+    const double least = std::max(10.0, kSmallestShare * double(elevations.size()));
+    if (double(count[b]) >= least) beams.elevations.push_back(centres[b]);
+  }
+  if (beams.elevations.size() < kFewestBeams) return beams;
+  double sum = 0.0;
+  for (const double e : elevations) sum += std::pow(e - beams.elevations[nearest(beams.elevations, e)], 2);
+  std::vector<double> spacing;
+  for (std::size_t b = 1; b < beams.elevations.size(); ++b)
+    spacing.push_back(beams.elevations[b] - beams.elevations[b - 1]);
+  std::nth_element(spacing.begin(), spacing.begin() + std::ptrdiff_t(spacing.size() / 2), spacing.end());
+  beams.spread = std::sqrt(sum / double(elevations.size())) / spacing[spacing.size() / 2];
+  return beams;
+}
+
+}  // namespace
+
+double elevation_of(const Eigen::Vector3d& point) {
+  return std::atan2(point.z(), point.head<2>().norm());
+}
+
+std::vector<double> find_beams(std::span<const double> elevations) {
+  if (elevations.size() < kFewestBeams * 10) return {};
+  const Histogram raw = histogram(elevations);
+  for (const double sigma : kSmoothings) {
+    const Histogram h = smoothed(raw, sigma);
+    std::vector<double> centres;
+    for (const std::size_t bin : peaks(h)) centres.push_back(h.centre(bin));
+    const Beams beams = with_spread(elevations, centres);
+    const std::size_t n = beams.elevations.size();
+    if (n >= kFewestBeams && n <= kMostBeams && beams.spread < kLargestSpread) return beams.elevations;
+  }
+  return {};
+}
+
+std::vector<std::uint16_t> nearest_beams(std::span<const Eigen::Vector3d> points, std::span<const double> beams) {
+  assert(!beams.empty());
+  std::vector<double> borders;  // tangents: one division a point and no arctangent
+  for (std::size_t b = 1; b < beams.size(); ++b) borders.push_back(std::tan(0.5 * (beams[b - 1] + beams[b])));
+  std::vector<std::uint16_t> nearest_beam(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double slope = points[i].z() / points[i].head<2>().norm();
+    nearest_beam[i] = std::uint16_t(std::upper_bound(borders.begin(), borders.end(), slope) - borders.begin());
+  }
+  return nearest_beam;
+}
+
+}  // namespace tilth

@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include <tilth/core/error.hpp>
+#include <tilth/sensor/firing_order.hpp>
+#include <tilth/sensor/scan_decoder.hpp>
+#include <tilth/sensor/spin.hpp>
+
+namespace tilth {
+namespace {
+
+std::string counted(const MeasuredPoints& scan) {
+  const std::size_t all = scan.points.size() + scan.not_finite + scan.no_return;
+  return "points: " + std::to_string(scan.points.size()) + " of " + std::to_string(all) + " in the first scan (" +
+         std::to_string(scan.no_return) + " without return, " + std::to_string(scan.not_finite) + " not finite)";
+}
+
+std::string intensity_sentence(const std::optional<PointField>& field) {
+  return field ? "intensity: field '" + field->name + "' (" + name_of(field->type) + ")" : "intensity: no field";
+}
+
+PointCloud without(const PointCloud& cloud, const std::vector<std::uint32_t>& left_out) {
+  std::vector<std::uint32_t> all(cloud.size()), kept;
+  std::iota(all.begin(), all.end(), 0u);
+  std::set_difference(all.begin(), all.end(), left_out.begin(), left_out.end(), std::back_inserter(kept));
+  return select(cloud, kept);
+}
+
+}  // namespace
+
+ScanDecoder::ScanDecoder(std::span<const StampedRecords> first_scans, const RecordingTraits& traits) {
+  std::vector<MeasuredPoints> scans;
+  std::vector<CloudStamp> stamps;
+  std::optional<PointFieldRoles> roles;
+  std::optional<Error> first_error;
+  for (const StampedRecords& scan : first_scans) {
+    try {
+      const PointFieldRoles own = roles_of(scan.records);
+      scans.push_back(measured_points(scan.records, own));
+      stamps.push_back(scan.stamp);
+      if (!roles) roles = own;
+    } catch (const Error& error) {
+      if (!first_error) first_error = error;
+    }
+  }
+  if (!roles) throw first_error.value_or(Error("recording", "has no scan"));
+  decisions_ = {counted(scans.front()), intensity_sentence(roles->intensity)};
+  rings_.emplace(scans, *roles);
+  decisions_.push_back(rings_->decision());
+  decide_times(scans, stamps, roles->time, traits);
+}
+
+void ScanDecoder::decide_times(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,
+                               const std::optional<PointField>& field, const RecordingTraits& traits) {
+  if (traits.deskewed) {
+    decisions_.push_back("time: none, the scans of this format are deskewed already");
+    return;
+  }
+  if (field) {
+    std::vector<std::vector<double>> values;
+    for (const MeasuredPoints& scan : scans) values.push_back(scan.time_values);
+    if (std::any_of(values.begin(), values.end(), [](const auto& v) { return v.empty(); })) values.clear();
+    if (values.empty()) return decisions_.push_back("time: field '" + field->name + "' is not in every scan: not used");
+    const TimeDecision decision = decide_time(values, stamps, *field, traits.nominal_stamps);
+    times_ = decision.convention;
+    decisions_.push_back(decision.sentence);
+    if (times_) {
+      char text[64];
+      std::snprintf(text, sizeof text, "spin: a scan spans %.4f s of point times", times_->span);
+      decisions_.emplace_back(text);
+    }
+    if (times_ || decision.snapshot) return;
+  }
+  decide_spin(scans, stamps, traits.nominal_stamps);
+}
+
+void ScanDecoder::decide_spin(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,
+                              bool nominal_stamps) {
+  std::vector<Sweep> sweeps;
+  std::vector<double> sweep_stamps;
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    std::optional<Sweep> sweep = find_sweep(scans[k].points, rings_->rings_of(scans[k]));
+    if (!sweep) continue;
+    sweeps.push_back(std::move(*sweep));
+    sweep_stamps.push_back(stamps[k].stamp);
+  }
+  if (sweeps.empty() || 2 * sweeps.size() < scans.size()) {
+    decisions_.emplace_back("time: no field and the points are not in the order of firing: no point times");
+    return;
+  }
+  if (sweeps.front().ray_grid) {
+    decisions_.emplace_back(
+        "time: no field, and the points lie on a ray caster's exact grid: scans are snapshots, no point times");
+    return;
+  }
+  const SpinDecision spin = measure_spin(sweeps, sweep_stamps, nominal_stamps);
+  spin_period_ = spin.period;
+  decisions_.push_back(spin.sentence);
+}
+
+Scan ScanDecoder::decode(const StampedRecords& stamped) const {
+  MeasuredPoints measured = measured_points(stamped.records, roles_of(stamped.records));
+  Scan scan;
+  scan.stamp = stamped.stamp.stamp;
+  scan.cloud.rings = rings_->rings_of(measured);
+  scan.cloud.intensities = std::move(measured.intensities);
+  set_times(measured, stamped.stamp.stamp, scan);
+  return scan;
+}
+
+void ScanDecoder::set_times(MeasuredPoints& measured, double stamp, Scan& scan) const {
+  if (spin_period_) {
+    if (const std::optional<Sweep> sweep = find_sweep(measured.points, scan.cloud.rings)) {
+      const double rate = *spin_period_ / (2 * std::numbers::pi);
+      scan.cloud.times.reserve(sweep->progress.size());
+      for (const double angle : sweep->progress) scan.cloud.times.push_back(float(angle * rate));
+    }
+  }
+  scan.cloud.points = std::move(measured.points);
+  if (!times_ || measured.time_values.empty()) return;
+  if (std::optional<PointTimes> times = point_times(*times_, measured.time_values, stamp)) {
+    scan.stamp = times->stamp;
+    scan.cloud.times = std::move(times->times);
+    if (!times->outliers.empty()) scan.cloud = without(scan.cloud, times->outliers);
+  }
+}
+
+}  // namespace tilth

@@ -1,0 +1,50 @@
+// Point records with the stamp of their header -> a scan. What the fields mean is decided once, over the first scans of
+// a recording, and said in sentences (docs/formats/time_and_ring.md). O(n log rings) a scan.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tilth/core/scan.hpp>
+#include <tilth/sensor/ring_convention.hpp>
+#include <tilth/sensor/time_convention.hpp>
+
+namespace tilth {
+
+struct StampedRecords {
+  CloudStamp stamp;
+  PointRecords records;
+};
+
+/// What is known of a recording beside its records.
+struct RecordingTraits {
+  bool nominal_stamps = false;  ///< nobody recorded them
+  bool deskewed = false;        ///< the points of a scan already share one instant
+};
+
+class ScanDecoder {
+ public:
+  /// Decides from the first scans; those that cannot be read are left out. Throws the Error of the first where none
+  /// can.
+  ScanDecoder(std::span<const StampedRecords> first_scans, const RecordingTraits& traits);
+
+  /// Throws Error where x, y or z is missing or no point is valid.
+  Scan decode(const StampedRecords& scan) const;
+
+  const std::vector<std::string>& decisions() const { return decisions_; }
+
+ private:
+  void decide_times(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,
+                    const std::optional<PointField>& field, const RecordingTraits& traits);
+  void decide_spin(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps, bool nominal_stamps);
+  void set_times(MeasuredPoints& measured, double stamp, Scan& scan) const;
+
+  std::optional<RingConvention> rings_;
+  std::optional<TimeConvention> times_;
+  std::optional<double> spin_period_;  ///< [s] where times are derived from the order of firing
+  std::vector<std::string> decisions_;
+};
+
+}  // namespace tilth

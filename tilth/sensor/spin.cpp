@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <vector>
+
+#include <tilth/sensor/spin.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kShortestPeriod = 0.04, kLongestPeriod = 0.25;  ///< [s] LiDARs spin at 5 to 20 Hz
+constexpr double kUsualPeriod = 0.1;                             ///< [s]
+constexpr double kFixedCut = 3 * kDegree;   ///< scans that begin within this are cut at a fixed azimuth
+constexpr double kContinues = 2 * kDegree;  ///< a scan begins where the one before ended
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// [rad] turned from the end of `a` to the beginning of `b`, as the nearest of all whole turns.
+double gap(const Sweep& a, const Sweep& b) {
+  return std::remainder((a.clockwise ? -1 : 1) * (b.begin - a.end()), kTurn);
+}
+
+std::string number(const char* format, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+enum class Succession { unknown, follows, leaves_out };
+
+/// Whether scans follow without a gap, which only scans tell that are not all cut at the same azimuth.
+Succession succession(std::span<const Sweep> sweeps) {
+  std::vector<double> gaps, starts;
+  for (std::size_t k = 1; k < sweeps.size(); ++k) {
+    gaps.push_back(std::abs(gap(sweeps[k - 1], sweeps[k])));
+    starts.push_back(std::abs(std::remainder(sweeps[k].begin - sweeps[0].begin, kTurn)));
+  }
+  if (starts.empty() || *std::max_element(starts.begin(), starts.end()) < kFixedCut) return Succession::unknown;
+  return median(gaps) < kContinues ? Succession::follows : Succession::leaves_out;
+}
+
+std::string derived(const Sweep& sweep) {
+  return std::string("time: no field, derived from the order of firing (") +
+         (sweep.clockwise ? "clockwise" : "counter-clockwise") + ", " + number("%.1f", sweep.covered() / kDegree) +
+         " deg a scan)";
+}
+
+}  // namespace
+
+SpinDecision measure_spin(std::span<const Sweep> sweeps, std::span<const double> stamps, bool nominal_stamps) {
+  std::vector<double> periods;
+  for (std::size_t k = 1; k < sweeps.size(); ++k) {
+    const double turned = sweeps[k - 1].covered() + gap(sweeps[k - 1], sweeps[k]);
+    const double step = stamps[k] - stamps[k - 1];
+    if (step > 0.0 && turned > kDegree) periods.push_back(step * kTurn / turned);
+  }
+  const Succession order = succession(sweeps);
+  const std::string begin = derived(sweeps.front());
+  if (nominal_stamps && order == Succession::leaves_out) {
+    return {{},
+            "time: no field, and scans do not begin where the one before ended while the stamps are nominal: no point "
+            "times"};
+  }
+  const double period = periods.empty() ? 0.0 : median(periods);
+  if (period < kShortestPeriod || period > kLongestPeriod) {
+    return {kUsualPeriod, begin + ", spin period ASSUMED " + number("%.4f", kUsualPeriod) + " s: " +
+                              (periods.empty() ? "one scan tells none"
+                                               : "the stamps give " + number("%.4f", period) + " s, which is no spin")};
+  }
+  const std::string measured = begin + ", spin period " + number("%.4f", period) + " s";
+  if (!nominal_stamps) return {period, measured + " from the stamps"};
+  if (order == Succession::follows)
+    return {period, measured + " from the nominal rate; each scan begins where the one before ended"};
+  return {period, measured + ", a GUESS from the nominal rate"};
+}
+
+}  // namespace tilth

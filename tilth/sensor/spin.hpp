@@ -1,0 +1,22 @@
+// How long the head takes for one turn, measured from the stamps of consecutive scans and the angle it turned between
+// them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include <tilth/sensor/firing_order.hpp>
+
+namespace tilth {
+
+struct SpinDecision {
+  std::optional<double> period;  ///< [s] of one turn; none: nothing tells it, point times cannot be derived
+  std::string sentence;
+};
+
+/// `sweeps[k]` is the sweep of the scan stamped `stamps[k]` [s]; consecutive scans, at least one. Stamps are nominal
+/// where nobody recorded them.
+SpinDecision measure_spin(std::span<const Sweep> sweeps, std::span<const double> stamps, bool nominal_stamps);
+
+}  // namespace tilth

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <system_error>
+
+#include <tilth/core/error.hpp>
+#include <tilth/io/input_file.hpp>
+#include <tilth/io/text_lines.hpp>
+#include <tilth/sources/scan_files.hpp>
+
+namespace tilth {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double kUsualRate = 10.0;  ///< [Hz]
+
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+/// The digits at the front of `text`, taken off it; leading zeros left out.
+std::string_view take_number(std::string_view& text) {
+  const auto end = std::find_if_not(text.begin(), text.end(), is_digit);
+  std::string_view number = text.substr(0, std::size_t(end - text.begin()));
+  text.remove_prefix(number.size());
+  number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
+  return number;
+}
+
+std::vector<fs::path> scan_files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && is_scan_file(entry.path())) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return natural_less(a.filename().string(), b.filename().string());
+  });
+  return files;
+}
+
+/// [s] of one name, if it is a time.
+std::optional<double> time_in(const std::string& name) {
+  const std::size_t point = name.find('.');
+  const std::size_t digits = std::min(point, name.size());
+  const bool plain = std::all_of(name.begin(), name.end(), [](char c) { return is_digit(c) || c == '.'; });
+  if (!plain || digits == 0 || std::count(name.begin(), name.end(), '.') > 1) return std::nullopt;
+  double value = 0.0;
+  if (std::from_chars(name.data(), name.data() + name.size(), value).ec != std::errc{}) return std::nullopt;
+  if (point != std::string::npos && point + 1 < name.size()) return value;
+  switch (digits) {
+    case 13:
+      return value * 1e-3;
+    case 16:
+      return value * 1e-6;
+    case 19:
+      return value * 1e-9;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<std::vector<double>> times_in_names(const std::vector<fs::path>& files) {
+  std::vector<double> times;
+  for (const fs::path& file : files) {
+    const std::optional<double> time = time_in(file.stem().string());
+    if (!time) return std::nullopt;
+    times.push_back(*time);
+  }
+  return times;
+}
+
+/// [s] one number a line.
+std::vector<double> read_times(const fs::path& path) {
+  const std::vector<std::byte> bytes = read_file(path);
+  TextLines lines(as_text(bytes));
+  std::vector<double> times;
+  while (const auto numbers = next_numbers(lines, path.string(), 1)) times.push_back(numbers->front());
+  return times;
+}
+
+std::optional<ScanStamps> listed_stamps(const std::vector<fs::path>& files) {
+  const fs::path folder = files.front().parent_path();
+  for (const fs::path& list : {folder / "times.txt", folder.parent_path() / "times.txt"}) {
+    if (!fs::is_regular_file(list)) continue;
+    std::vector<double> stamps = read_times(list);
+    if (stamps.size() < files.size()) {
+      throw Error(list.string(),
+                  "has " + std::to_string(stamps.size()) + " times for " + std::to_string(files.size()) + " scans");
+    }
+    std::string decision = "stamps: from " + list.string();
+    if (stamps.size() > files.size())
+      decision += ", the first " + std::to_string(files.size()) + " of " + std::to_string(stamps.size());
+    stamps.resize(files.size());
+    return ScanStamps{std::move(stamps), false, std::move(decision)};
+  }
+  return std::nullopt;
+}
+
+std::string hertz(double rate) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g Hz", rate);
+  return text;
+}
+
+}  // namespace
+
+bool is_scan_file(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension == ".pcd" || extension == ".ply" || extension == ".bin";
+}
+
+bool natural_less(std::string_view a, std::string_view b) {
+  const std::string_view whole_a = a, whole_b = b;
+  while (!a.empty() && !b.empty()) {
+    if (is_digit(a.front()) && is_digit(b.front())) {
+      const std::string_view na = take_number(a), nb = take_number(b);
+      if (na.size() != nb.size()) return na.size() < nb.size();
+      if (na != nb) return na < nb;
+    } else {
+      if (a.front() != b.front()) return a.front() < b.front();
+      a.remove_prefix(1);
+      b.remove_prefix(1);
+    }
+  }
+  return a.empty() == b.empty() ? whole_a < whole_b : a.empty();
+}
+
+std::vector<fs::path> find_scan_files(const fs::path& folder) {
+  constexpr std::array<const char*, 4> places{"", "scans", "clouds", "velodyne"};
+  try {
+    for (const char* place : places) {
+      if (!fs::is_directory(folder / place)) continue;
+      std::vector<fs::path> files = scan_files_in(folder / place);
+      if (!files.empty()) return files;
+    }
+    if (fs::is_empty(folder)) throw Error(folder.string(), "the folder is empty");
+  } catch (const fs::filesystem_error& error) {
+    throw Error(folder.string(), error.code().message());
+  }
+  throw Error(folder.string(), "no .pcd, .ply or .bin scans, neither in it nor in scans/, clouds/ or velodyne/");
+}
+
+ScanStamps stamps_of(const std::vector<fs::path>& files, double rate) {
+  if (std::optional<ScanStamps> listed = listed_stamps(files)) return *listed;
+  if (std::optional<std::vector<double>> named = times_in_names(files)) {
+    return {std::move(*named), false, "stamps: from the names of the files"};
+  }
+  const double hz = rate > 0.0 ? rate : kUsualRate;
+  ScanStamps nominal{
+      {}, rate <= 0.0, "stamps: no times.txt and the names are no times, so a nominal rate of " + hertz(hz)};
+  if (rate > 0.0)
+    nominal.decision = "stamps: no times.txt and the names are no times, so the given rate of " + hertz(hz);
+  for (std::size_t i = 0; i < files.size(); ++i) nominal.stamps.push_back(double(i) / hz);
+  return nominal;
+}
+
+}  // namespace tilth
