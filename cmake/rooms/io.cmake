@@ -1,0 +1,4 @@
+# The formats' own libraries are needed inside the room only.
+pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
+find_package(BZip2 REQUIRED)
+target_link_libraries(tilth_io PRIVATE PkgConfig::LZ4 BZip2::BZip2 yaml-cpp)
