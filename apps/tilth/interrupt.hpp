@@ -1,0 +1,12 @@
+// Ctrl-C and SIGTERM as a question that long loops ask; the second one ends the program at once.
+#pragma once
+
+namespace tilth::app {
+
+/// From now on the first SIGINT or SIGTERM is only remembered.
+void remember_interrupts();
+
+/// The signal that came, or zero.
+int interrupted();
+
+}  // namespace tilth::app

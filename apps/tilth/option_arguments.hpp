@@ -1,0 +1,31 @@
+// --config and --set: how the options of a pipeline are given on the command line.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <tilth/core/options.hpp>
+
+namespace tilth::app {
+
+struct OptionArguments {
+  std::string pipeline;               ///< empty: what the file names, else the default
+  std::string config;                 ///< YAML file; empty: none
+  std::vector<std::string> settings;  ///< "key=value", stronger than the file
+};
+
+struct PipelineChoice {
+  std::string name;
+  OptionValues values;
+};
+
+/// Adds --config and --set to a command. `arguments` must outlive it.
+void add_setting_arguments(CLI::App& command, OptionArguments& arguments);
+
+/// A configuration file may name its pipeline (`pipeline: improved_floam`); the command line is stronger. Throws Error
+/// on a file that cannot be read and on a setting that is no key=value. Keys and bounds are checked by the pipeline.
+PipelineChoice choose_pipeline(const OptionArguments& arguments);
+
+}  // namespace tilth::app

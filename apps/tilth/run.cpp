@@ -1,0 +1,129 @@
+// tilth run: a recording becomes a trajectory, a map and figures.
+#include <algorithm>
+#include <memory>
+#include <sys/resource.h>
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "option_arguments.hpp"
+#include "register_scans.hpp"
+#include "run_report.hpp"
+#include <tilth/core/error.hpp>
+#include <tilth/odometry/make_odometry.hpp>
+#include <tilth/output/output_folder.hpp>
+#include <tilth/output/run_record.hpp>
+#include <tilth/sources/open_source.hpp>
+
+namespace tilth::app {
+namespace {
+
+constexpr int kSignalExit = 128;  // as a shell says that a signal ended a program
+
+struct RunArguments {
+  std::string source, out;
+  OptionArguments options;
+  SourceOptions input;
+  OptionValues map;
+  LoopOptions loop;
+  int threads = 0;  // zero: as many as there are processors
+  bool quiet = false;
+};
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) * 1024e-6;
+}
+
+/// Calls f with at most `threads` threads, also where that is more than there are processors.
+template <class F>
+auto with_threads(int threads, const F& f) {
+  if (threads == 0) return f();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+  tbb::task_arena arena(threads);
+  return arena.execute(f);
+}
+
+RunRecord new_record(const RunArguments& arguments, const PipelineChoice& choice) {
+  RunRecord record;
+  record.version = TILTH_VERSION;
+  record.source = arguments.source;
+  record.pipeline = choice.name;
+  record.options = describe_odometry(choice.name, choice.values);
+  record.map = MapBuilder(with<MapOptions>(arguments.map));
+  return record;
+}
+
+/// Registers what the source has, whatever the end.
+RunEnd register_all(const RunArguments& arguments, const PipelineChoice& choice, RunRecord& record, Console& console) {
+  const std::unique_ptr<Odometry> odometry = make_odometry(choice.name, choice.values);
+  const std::unique_ptr<ScanSource> source = open_source(arguments.source, arguments.input);
+  prepare_output_folder(arguments.out, run_files());
+  remember_interrupts();
+  const Stopwatch stopwatch;
+  RegistrationLoop loop(*source, *odometry, record, console);
+  const RunEnd end = with_threads(arguments.threads, [&] { return loop.run(arguments.loop); });
+  record.ended = to_text(end);
+  record.wall_seconds = stopwatch.seconds();
+  record.peak_megabytes = peak_megabytes();
+  return end;
+}
+
+int exit_code_of(RunEnd end, bool strict) {
+  if (end == RunEnd::interrupted) return kSignalExit + interrupted();
+  return end == RunEnd::bad_record || (end == RunEnd::input_broken && strict) ? 1 : 0;
+}
+
+int run(const RunArguments& arguments) {
+  Console console(arguments.quiet);
+  const PipelineChoice choice = choose_pipeline(arguments.options);
+  RunRecord record = new_record(arguments, choice);
+  const RunEnd end = register_all(arguments, choice, record, console);
+  if (record.trajectory.empty() && end != RunEnd::interrupted) {
+    const std::string reason = record.skipped.empty() ? "it is empty" : record.skipped.front().what;
+    throw Error(arguments.source, "has no scan that can be used; " + reason);
+  }
+  const std::vector<std::string> failures = write_run(arguments.out, record);
+  report_run(record, arguments.out, console);
+  for (const std::string& failure : failures) console.error(failure);
+  return failures.empty() ? exit_code_of(end, arguments.loop.strict) : 1;
+}
+
+void add_input_options(CLI::App& command, RunArguments& a) {
+  command.add_option("SOURCE", a.source, "folder of scans, KITTI sequence or bag")->required();
+  command.add_option("--topic", a.input.topic, "point cloud topic of a bag with several");
+  command.add_option("--rate", a.input.rate, "[Hz] of scans without recorded times")->check(CLI::PositiveNumber);
+  command.add_option("--max-scans", a.loop.max_scans, "stop after so many scans");
+  command.add_flag("--strict", a.loop.strict, "a record that cannot be used ends the run with an error");
+}
+
+void add_output_options(CLI::App& command, RunArguments& a) {
+  command.add_option("--out", a.out, "folder for the results; made where missing")->required();
+  for (const OptionInfo& option : describe(MapOptions{})) {
+    std::string flag = "--" + option.key;
+    std::replace(flag.begin(), flag.end(), '_', '-');
+    const std::string meaning = "[" + option.unit + "] " + option.meaning + " (default " + option.value + ")";
+    command.add_option_function<std::string>(
+        flag, [&a, key = option.key](const std::string& value) { a.map[key] = value; }, meaning);
+  }
+  command.add_flag("--quiet", a.quiet, "print errors only");
+}
+
+}  // namespace
+
+void add_run(CLI::App& app, int& exit_code) {
+  CLI::App* command = app.add_subcommand("run", "Turn a recording into a trajectory, a map and figures");
+  const auto arguments = std::make_shared<RunArguments>();
+  add_input_options(*command, *arguments);
+  command->add_option("--pipeline", arguments->options.pipeline, "see `tilth pipelines`; default: the first of them");
+  add_setting_arguments(*command, arguments->options);
+  add_output_options(*command, *arguments);
+  command->add_option("--threads", arguments->threads, "0: as many as there are processors")
+      ->check(CLI::Range(0, 1024));
+  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+}
+
+}  // namespace tilth::app

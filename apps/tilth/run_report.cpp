@@ -1,0 +1,48 @@
+#include "run_report.hpp"
+
+#include <cstdio>
+
+#include <tilth/output/summary_json.hpp>
+
+namespace tilth::app {
+namespace {
+
+std::string counted(std::size_t n, const std::string& noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+std::string counts_line(const RunRecord& record) {
+  return counted(record.trajectory.size(), "scan") + " registered, " + counted(record.skipped.size(), "record") +
+         " skipped, " + counted(record.map.size(), "point") + " in the map";
+}
+
+std::string way_line(const RunFigures& figures) {
+  char text[128];
+  std::snprintf(text, sizeof text, "%.2f m in %.1f s; the end lies %.3f m from the start", figures.distance,
+                figures.recorded_seconds, figures.end_to_start);
+  return text;
+}
+
+std::string speed_line(const RunFigures& figures, double megabytes) {
+  char text[160];
+  const Distribution& ms = figures.register_ms;
+  std::snprintf(text, sizeof text,
+                "%.2f ms a scan (median %.2f, p99 %.2f, max %.2f), %.1f x real time, %.0f MB at most", ms.mean,
+                ms.median, ms.p99, ms.max, figures.real_time_factor, megabytes);
+  return text;
+}
+
+}  // namespace
+
+void report_run(const RunRecord& record, const std::string& folder, Console& console) {
+  const RunFigures figures = figures_of(record);
+  console.note("ended: " + record.ended);
+  console.note(counts_line(record));
+  console.note(way_line(figures));
+  console.note(speed_line(figures, record.peak_megabytes));
+  std::string files = "in " + folder + ":";
+  for (const std::string& file : run_files()) files += " " + file;
+  console.note(files);
+}
+
+}  // namespace tilth::app

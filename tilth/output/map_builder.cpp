@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include <tilth/output/map_builder.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr std::size_t kFirstSlots = 1 << 16;
+constexpr double kLargestIndex = 1 << 20;  // of a voxel along an axis: 21 bits with its sign
+
+/// The motion within a scan as poses at regular times; between two of them a point moves along the tangent, which for
+/// steps of a few hundredths of a degree is exact to well under a millimetre.
+class ScanMotion {
+ public:
+  ScanMotion(const Pose& T_world_lidar, const Vector6d& velocity, double duration)
+      : angular_(velocity.head<3>()), linear_(velocity.tail<3>()), step_(std::max(duration / kSteps, 1e-9)) {
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      poses_[i] = T_world_lidar * exp(velocity * (step_ * double(i)));
+    }
+  }
+
+  Eigen::Vector3d at(const Eigen::Vector3d& p, double time) const {
+    const double steps = std::round(time / step_);
+    const std::size_t i = steps > 0.0 ? std::size_t(std::min(steps, double(kSteps))) : 0;
+    return poses_[i] * (p + (time - step_ * double(i)) * (angular_.cross(p) + linear_));
+  }
+
+ private:
+  static constexpr int kSteps = 256;
+  Eigen::Vector3d angular_, linear_;
+  double step_;
+  std::array<Pose, kSteps + 1> poses_;
+};
+
+/// Never zero, so that zero can mark a free slot; zero where the voxel lies outside what 21 bits an axis can say.
+std::uint64_t voxel_key(double x, double y, double z, double voxel) {
+  std::uint64_t key = 1;
+  for (const double coordinate : {x, y, z}) {
+    const double index = std::floor(coordinate / voxel);
+    if (!(std::abs(index) < kLargestIndex)) return 0;
+    key = key << 21 | std::uint64_t(index + kLargestIndex);
+  }
+  return key;
+}
+
+std::size_t hash_of(std::uint64_t key) {
+  key *= 0x9E3779B97F4A7C15u;  // Fibonacci hashing
+  return std::size_t(key ^ key >> 32);
+}
+
+/// Takes the voxel of `key`; false where it was taken before.
+bool take(std::vector<std::uint64_t>& slots, std::uint64_t key) {
+  const std::size_t mask = slots.size() - 1;
+  std::size_t slot = hash_of(key) & mask;
+  while (slots[slot] != 0) {
+    if (slots[slot] == key) return false;
+    slot = (slot + 1) & mask;
+  }
+  slots[slot] = key;
+  return true;
+}
+
+}  // namespace
+
+MapBuilder::MapBuilder(const MapOptions& options)
+    : voxel_(options.voxel), max_points_(options.max_points), slots_(kFirstSlots, 0) {}
+
+void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, const Vector6d& velocity) {
+  const bool timed = cloud.has_times();
+  const double duration = timed ? *std::max_element(cloud.times.begin(), cloud.times.end()) : 0.0;
+  const ScanMotion motion(T_world_lidar, velocity, duration);
+  const bool bright = cloud.intensities.size() == cloud.size();
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d p = motion.at(cloud.points[i], timed ? double(cloud.times[i]) : 0.0);
+    insert({float(p.x()), float(p.y()), float(p.z()), bright ? cloud.intensities[i] : 0.0F});
+  }
+}
+
+void MapBuilder::insert(const MapPoint& point) {
+  const std::uint64_t key = voxel_key(point.x, point.y, point.z, voxel_);
+  if (key == 0 || !take(slots_, key)) return;
+  points_.push_back(point);
+  if (points_.size() > max_points_) {
+    voxel_ *= 2;
+    rebuild(slots_.size());
+  } else if (2 * points_.size() > slots_.size()) {
+    rebuild(2 * slots_.size());
+  }
+}
+
+void MapBuilder::rebuild(std::size_t slots) {
+  slots_.assign(slots, 0);
+  std::erase_if(points_, [&](const MapPoint& p) { return !take(slots_, voxel_key(p.x, p.y, p.z, voxel_)); });
+}
+
+PointRecords MapBuilder::records() const {
+  PointRecords records;
+  for (const char* name : {"x", "y", "z", "intensity"}) {
+    records.fields.push_back({name, FieldType::f32, records.fields.size() * sizeof(float)});
+  }
+  records.stride = sizeof(MapPoint);
+  records.count = points_.size();
+  records.byte_order = std::endian::native;
+  records.bytes.resize(records.stride * records.count);
+  if (!points_.empty()) std::memcpy(records.bytes.data(), points_.data(), records.bytes.size());
+  return records;
+}
+
+}  // namespace tilth

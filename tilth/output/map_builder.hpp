@@ -1,0 +1,57 @@
+// The map of a run: each scan undistorted and moved into the world, thinned to the first point of every voxel.
+// Memory grows with the mapped space, never with time, and is bounded: a map that grows past its bound doubles its
+// voxels. O(1) a point.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <tilth/core/options.hpp>
+#include <tilth/core/point_cloud.hpp>
+#include <tilth/core/point_records.hpp>
+#include <tilth/core/se3.hpp>
+
+namespace tilth {
+
+struct MapOptions {
+  double voxel = 0.1;                     ///< [m] edge of a voxel, which keeps one point
+  std::uint64_t max_points = 20'000'000;  ///< voxels double in size rather than hold more
+};
+
+template <class V>
+void visit(MapOptions& o, V&& v) {
+  v("map_voxel", o.voxel, Bounds{0.001, 100}, "[m] edge of the voxels of the map, each of which keeps one point");
+  v("map_max_points", o.max_points, Bounds{1000, 1e9},
+    "[points] most that the map holds; past it the voxels double in size");
+}
+
+class MapBuilder {
+ public:
+  explicit MapBuilder(const MapOptions& options);
+
+  /// Adds a scan whose sensor stood at `T_world_lidar` at its stamp and moved at `velocity` ([rad/s, m/s], in its own
+  /// frame) while it was measured: a point of time t lies at T_world_lidar * exp(velocity * t) * p. Points that are not
+  /// finite are passed over.
+  void add(const PointCloud& cloud, const Pose& T_world_lidar, const Vector6d& velocity);
+
+  std::size_t size() const { return points_.size(); }
+  double voxel() const { return voxel_; }  ///< [m] in force; larger than asked for once the bound was met
+
+  /// The map in the world frame: fields x y z intensity, 32-bit float, little endian.
+  PointRecords records() const;
+
+ private:
+  struct MapPoint {
+    float x, y, z, intensity;
+  };
+
+  void insert(const MapPoint& point);
+  void rebuild(std::size_t slots);
+
+  double voxel_;
+  std::size_t max_points_;
+  std::vector<MapPoint> points_;
+  std::vector<std::uint64_t> slots_;  // open addressing: the key of a voxel, or zero
+};
+
+}  // namespace tilth

@@ -1,0 +1,49 @@
+#include <functional>
+
+#include <tilth/core/error.hpp>
+#include <tilth/io/output_file.hpp>
+#include <tilth/io/pcd.hpp>
+#include <tilth/io/trajectory_file.hpp>
+#include <tilth/output/run_record.hpp>
+#include <tilth/output/summary_json.hpp>
+
+namespace tilth {
+namespace {
+
+struct RunFile {
+  std::string name;
+  std::function<void(const std::filesystem::path&, const RunRecord&)> write;
+};
+
+const std::vector<RunFile>& files() {
+  using Path = std::filesystem::path;
+  static const std::vector<RunFile> all{
+      {"trajectory.tum", [](const Path& path, const RunRecord& run) { write_tum(path, run.trajectory); }},
+      {"trajectory_kitti.txt", [](const Path& path, const RunRecord& run) { write_kitti_poses(path, run.trajectory); }},
+      {"scans.csv", [](const Path& path, const RunRecord& run) { write_scan_table(path, run.scans); }},
+      {"summary.json", [](const Path& path, const RunRecord& run) { write_text(path, summary_json(run)); }},
+      {"map.pcd", [](const Path& path, const RunRecord& run) { write_pcd(path, run.map.records()); }}};
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> run_files() {
+  std::vector<std::string> names;
+  for (const RunFile& file : files()) names.push_back(file.name);
+  return names;
+}
+
+std::vector<std::string> write_run(const std::filesystem::path& folder, const RunRecord& record) {
+  std::vector<std::string> failures;
+  for (const RunFile& file : files()) {
+    try {
+      file.write(folder / file.name, record);
+    } catch (const std::exception& e) {
+      failures.emplace_back(e.what());
+    }
+  }
+  return failures;
+}
+
+}  // namespace tilth

@@ -1,0 +1,41 @@
+// Everything that a run has worked out, ready to be written at any moment.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <tilth/core/options.hpp>
+#include <tilth/core/trajectory.hpp>
+#include <tilth/output/map_builder.hpp>
+#include <tilth/output/scan_table.hpp>
+
+namespace tilth {
+
+/// A record of the input that has no pose, and why.
+struct SkippedRecord {
+  std::size_t index = 0;  ///< in the recording
+  std::string where, what;
+};
+
+struct RunRecord {
+  std::string version, source, pipeline;
+  std::vector<OptionInfo> options;     ///< in force
+  std::vector<std::string> decisions;  ///< of the source, one sentence each
+  std::vector<SkippedRecord> skipped;
+  std::string ended;  ///< why no more scans were registered: "end of input", "interrupted" ...
+  Trajectory trajectory;
+  ScanTable scans;
+  MapBuilder map{MapOptions{}};
+  double wall_seconds = 0.0;    ///< [s] of the whole run, files not counted
+  double peak_megabytes = 0.0;  ///< [MB] resident
+};
+
+/// The names of the files that write_run makes.
+std::vector<std::string> run_files();
+
+/// Writes trajectory.tum, trajectory_kitti.txt, map.pcd, scans.csv and summary.json into `folder`. A file that cannot
+/// be written does not keep the others from it. Returns what went wrong, one sentence a file.
+std::vector<std::string> write_run(const std::filesystem::path& folder, const RunRecord& record);
+
+}  // namespace tilth
