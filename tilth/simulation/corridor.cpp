@@ -1,0 +1,33 @@
+#include <cmath>
+#include <numbers>
+
+#include <tilth/simulation/corridor_shell.hpp>
+#include <tilth/simulation/scenes.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr double kRight = -std::numbers::pi / 2;
+constexpr std::uint64_t kStream = 0x10;
+
+/// Rest for 10 s, right turns at 50 s and 80 s, the peak of 1 m/s between them, a stop at 100 s.
+const std::vector<Leg> kLegs{{10, 0, 0},    {14, 0.45, 0},       {13, 0.55, 0}, {11.25, 0.42, 0}, {3.5, 0.42, kRight},
+                             {6, 0.6, 0},   {13, 1.0, 0},        {7.5, 0.5, 0}, {3.5, 0.42, kRight}, {12, 0.45, 0},
+                             {3.25, 0.4, 0}, {3, 0, 0}};
+
+}  // namespace
+
+Scene corridor(const SceneOptions& options) {
+  CounterRandom random(options.seed, kStream);
+  const Way way = way_of(kLegs), whole = lengthened(way, 4.0);
+  const double middle = 0.5 * length_of(whole);
+  const auto bare = [&](double arc) { return std::abs(arc - middle) < 0.5 * options.bare; };
+  const auto closed = [](const Pose&, double) { return false; };
+  Scene scene;
+  add_corridor(scene.mesh, whole, CorridorStyle{}, bare, closed, random);
+  scene.movers.walkers = walkers_beside(lengthened(way, 3.3), options.people, 0.75, random);
+  scene.trajectory = travel(kLegs, options);
+  return scene;
+}
+
+}  // namespace tilth

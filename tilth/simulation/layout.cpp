@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <tilth/simulation/layout.hpp>
+
+namespace tilth {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d heading_at(const Trajectory& trajectory, double stamp) {
+  return interpolate(trajectory, stamp).linear().col(0);
+}
+
+Vector3d left_of(const Vector3d& along) { return Vector3d::UnitZ().cross(along); }
+
+/// Where two lines in the plane meet.
+Vector3d crossing(const Vector3d& p, const Vector3d& u, const Vector3d& q, const Vector3d& v) {
+  const Vector3d across = left_of(v);
+  return p + across.dot(q - p) / across.dot(u) * u;
+}
+
+struct Nearest {
+  double arc = 0, distance = std::numeric_limits<double>::infinity();
+};
+
+Nearest nearest_on(const Way& way, const Vector3d& point) {
+  Nearest best;
+  double before = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const Vector3d side = way[i] - way[i - 1];
+    const double share = std::clamp((point - way[i - 1]).dot(side) / side.squaredNorm(), 0.0, 1.0);
+    const double distance = (point - way[i - 1] - share * side).head<2>().norm();
+    if (distance < best.distance) best = {before + share * side.norm(), distance};
+    before += side.norm();
+  }
+  return best;
+}
+
+}  // namespace
+
+Way way_of(std::span<const Leg> legs) {
+  MotionOptions still;
+  still.wobble = still.weave = 0;
+  const Trajectory trajectory = drive(legs, Pose::Identity(), still);
+  const auto place = [&](double stamp) -> Vector3d {
+    const Vector3d p = interpolate(trajectory, stamp).translation();
+    return {p.x(), p.y(), 0};
+  };
+  Way way{place(0)};
+  double stamp = 0;
+  for (const Leg& leg : legs) {
+    const double end = stamp + leg.duration;
+    if (std::abs(leg.turn) > 0.2) {
+      way.push_back(crossing(place(stamp), heading_at(trajectory, stamp), place(end), heading_at(trajectory, end)));
+    }
+    stamp = end;
+  }
+  way.push_back(place(stamp));
+  return way;
+}
+
+Way offset(const Way& way, double left) {
+  Way moved;
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const Vector3d in = (i > 0 ? way[i] - way[i - 1] : way[1] - way[0]).normalized();
+    const Vector3d out = (i + 1 < way.size() ? way[i + 1] - way[i] : in).normalized();
+    const Vector3d mitre = (left_of(in) + left_of(out)).normalized();
+    moved.push_back(way[i] + left / mitre.dot(left_of(in)) * mitre);
+  }
+  return moved;
+}
+
+Way lengthened(Way way, double more) {
+  const std::size_t n = way.size();
+  const Vector3d first = (way[0] - way[1]).normalized(), last = (way[n - 1] - way[n - 2]).normalized();
+  way[0] += more * first;
+  way[n - 1] += more * last;
+  return way;
+}
+
+double length_of(const Way& way) {
+  double length = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += (way[i] - way[i - 1]).norm();
+  return length;
+}
+
+double arc_of(const Way& way, const Vector3d& point) { return nearest_on(way, point).arc; }
+
+double distance_to(const Way& way, const Vector3d& point) { return nearest_on(way, point).distance; }
+
+Way footprint(const Trajectory& trajectory) {
+  const auto on_floor = [](const StampedPose& pose) -> Vector3d {
+    return {pose.T_world_lidar.translation().x(), pose.T_world_lidar.translation().y(), 0};
+  };
+  Way way{on_floor(trajectory.front())};
+  for (const StampedPose& pose : trajectory) {
+    if ((on_floor(pose) - way.back()).norm() > 0.25) way.push_back(on_floor(pose));
+  }
+  return way;
+}
+
+Way outline(const Way& way, double half_width) {
+  Way closed = offset(way, -half_width);
+  const Way left = offset(way, half_width);
+  closed.insert(closed.end(), left.rbegin(), left.rend());
+  return closed;
+}
+
+Trajectory travel(std::span<const Leg> legs, const SceneOptions& options) {
+  MotionOptions motion;
+  motion.speed_scale = options.speed;
+  motion.vibration = options.vibration;
+  motion.vibration_angle = options.vibration_angle * std::numbers::pi / 180;
+  motion.seed = options.seed;
+  Trajectory trajectory = drive(legs, upright(Vector3d(0, 0, options.height), 0), motion);
+  if (options.duration <= 0) return trajectory;
+  const auto kept = std::size_t(std::ceil(options.duration * kTruthRate)) + 1;
+  trajectory.resize(std::min(trajectory.size(), kept));
+  return trajectory;
+}
+
+std::vector<Walker> walkers_beside(const Way& way, int count, double beside, CounterRandom& random) {
+  std::vector<Walker> walkers;
+  const double length = length_of(way);
+  for (int i = 0; i < count; ++i) {
+    Walker walker{offset(way, i % 2 == 0 ? beside : -beside)};
+    walker.speed = random.uniform(0.8, 1.4);
+    walker.start = length * (0.3 + (i + random.uniform()) / count);
+    walker.height = random.uniform(1.6, 1.9);
+    walkers.push_back(std::move(walker));
+  }
+  return walkers;
+}
+
+}  // namespace tilth

@@ -1,0 +1,40 @@
+// From a way to what stands about it: the corners a drive takes, outlines at a distance from it, walkers beside it.
+#pragma once
+
+#include <vector>
+
+#include <tilth/simulation/counter_random.hpp>
+#include <tilth/simulation/motion.hpp>
+#include <tilth/simulation/movers.hpp>
+#include <tilth/simulation/scenes.hpp>
+
+namespace tilth {
+
+using Way = std::vector<Eigen::Vector3d>;  ///< corners on the floor, z = 0 [m]
+
+/// Start, the corner that each turning leg cuts, and end of a drive that starts at the origin along +x.
+Way way_of(std::span<const Leg> legs);
+
+/// The way moved `left` [m] to its left (negative: right), mitred at the corners.
+Way offset(const Way& way, double left);
+
+/// The way with `more` [m] added at both ends.
+Way lengthened(Way way, double more);
+
+double length_of(const Way& way);                                    ///< [m]
+double arc_of(const Way& way, const Eigen::Vector3d& point);         ///< [m] along it of its point nearest to `point`
+double distance_to(const Way& way, const Eigen::Vector3d& point);    ///< [m] in the plane
+
+/// The way that a trajectory took, a corner every 0.25 m, on the floor.
+Way footprint(const Trajectory& trajectory);
+
+/// Closed outline, counter-clockwise, of all that lies within `half_width` of the way; its first corner comes once.
+Way outline(const Way& way, double half_width);
+
+/// The sensor's drive along `legs` with the scene's speed, wobble and vibration, cut at the scene's duration.
+Trajectory travel(std::span<const Leg> legs, const SceneOptions& options);
+
+/// People who walk to and fro `beside` [m] the way, alternately on its left and its right.
+std::vector<Walker> walkers_beside(const Way& way, int count, double beside, CounterRandom& random);
+
+}  // namespace tilth

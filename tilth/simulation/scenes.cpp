@@ -1,0 +1,36 @@
+#include <algorithm>
+#include <array>
+
+#include <tilth/simulation/scenes.hpp>
+
+namespace tilth {
+namespace {
+
+struct NamedScene {
+  std::string_view name;
+  Scene (*make)(const SceneOptions&);
+};
+
+constexpr std::array kScenes{NamedScene{"corridor", corridor},     NamedScene{"corridor_fast", corridor},
+                             NamedScene{"corridor_rough", corridor}, NamedScene{"plaza", plaza},
+                             NamedScene{"plaza_fast", plaza},      NamedScene{"hospital", hospital}};
+
+constexpr auto kNames = [] {
+  std::array<std::string_view, kScenes.size()> names{};
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kScenes[i].name;
+  return names;
+}();
+
+}  // namespace
+
+std::span<const std::string_view> scene_names() { return kNames; }
+
+Scene make_scene(std::string_view name, const SceneOptions& options) {
+  const auto scene = std::find_if(kScenes.begin(), kScenes.end(), [&](const NamedScene& s) { return s.name == name; });
+  if (scene == kScenes.end()) {
+    throw Error("scene " + std::string(name), "is not known; there are " + options_detail::joined(kNames));
+  }
+  return scene->make(options);
+}
+
+}  // namespace tilth

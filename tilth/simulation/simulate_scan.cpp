@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include <tilth/core/parallel.hpp>
+#include <tilth/simulation/echo.hpp>
+#include <tilth/simulation/simulate_scan.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr std::size_t kColumnsAtOnce = 64;
+constexpr std::array<std::string_view, 5> kKinds{"surface", "outlier", "mixed", "ghost", "moving"};
+
+struct Beam {
+  std::size_t ring;
+  double time;                // [s] since the scan's stamp
+  Eigen::Vector3d direction;  // in the LiDAR frame
+  Ray ray;                    // in the world frame
+  CounterRandom random;
+};
+
+/// All that one scan is made from.
+struct Setting {
+  const World& world;
+  const LidarModel& lidar;
+  const Trajectory& trajectory;
+  double stamp;
+  const NoiseOptions& options;
+  const ScanKey& key;
+  std::vector<std::size_t> ring_order;  // by the time they fire
+};
+
+std::vector<std::size_t> rings_as_they_fire(const LidarModel& lidar) {
+  std::vector<std::size_t> order(lidar.rings());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return lidar.firing_offsets[a] < lidar.firing_offsets[b]; });
+  return order;
+}
+
+Beam aim(const Setting& s, std::size_t column, std::size_t slot) {
+  const std::size_t ring = s.ring_order[slot];
+  const double fired = s.options.snapshot ? 0 : s.lidar.time_of(column, ring);
+  const double turned = s.options.snapshot ? double(column) * s.lidar.period / double(s.lidar.columns) : fired;
+  const Eigen::Vector3d direction = s.lidar.direction(ring, turned);
+  const Pose T_world_lidar = interpolate(s.trajectory, s.stamp + fired);
+  return {ring, fired, direction,
+          {T_world_lidar.translation(), T_world_lidar.linear() * direction, s.stamp + fired},
+          CounterRandom(s.key.seed, s.key.index, column * s.lidar.rings() + slot)};
+}
+
+std::vector<Beam> aim_columns(const Setting& s, std::size_t begin, std::size_t end) {
+  std::vector<Beam> beams;
+  beams.reserve((end - begin) * s.lidar.rings());
+  for (std::size_t column = begin; column < end; ++column) {
+    for (std::size_t slot = 0; slot < s.lidar.rings(); ++slot) beams.push_back(aim(s, column, slot));
+  }
+  return beams;
+}
+
+/// A direction within the cone of the beam.
+Ray within_beam(const Ray& ray, double divergence, CounterRandom& random) {
+  const double radius = 0.5 * divergence * std::sqrt(random.uniform());
+  const double angle = 2 * std::numbers::pi * random.uniform();
+  const Eigen::Vector3d side = ray.direction.unitOrthogonal(), up = ray.direction.cross(side);
+  const Eigen::Vector3d d = ray.direction + radius * (std::cos(angle) * side + std::sin(angle) * up);
+  return {ray.origin, d.normalized(), ray.time};
+}
+
+std::vector<Hit> cast_beams(const Setting& s, const std::vector<Beam>& beams) {
+  std::vector<Ray> rays(beams.size());
+  std::transform(beams.begin(), beams.end(), rays.begin(), [](const Beam& beam) { return beam.ray; });
+  return s.world.cast(rays);
+}
+
+/// What else each beam touches: the same beam again, a little aside. Empty where no mixed pixels are asked for.
+std::vector<Hit> cast_beside(const Setting& s, std::vector<Beam>& beams) {
+  if (s.options.mixed == 0) return {};
+  std::vector<Ray> rays(beams.size());
+  std::transform(beams.begin(), beams.end(), rays.begin(),
+                 [&](Beam& beam) { return within_beam(beam.ray, s.options.divergence, beam.random); });
+  return s.world.cast(rays);
+}
+
+/// Echoes of all beams, those mirrored or let through by a pane included.
+std::vector<std::optional<Echo>> echoes_of(const Setting& s, std::vector<Beam>& beams, const std::vector<Hit>& hits) {
+  std::vector<std::optional<Echo>> echoes(beams.size());
+  std::vector<std::size_t> indices;
+  std::vector<Onward> onwards;
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    if (!hits[i].met()) continue;
+    const std::optional<Onward> next = onward(beams[i].ray, hits[i], s.options, beams[i].random);
+    if (!next) {
+      echoes[i] = echo_of(beams[i].ray, hits[i], s.options, beams[i].random);
+      continue;
+    }
+    indices.push_back(i), onwards.push_back(*next), rays.push_back(next->ray);
+  }
+  const std::vector<Hit> later = s.world.cast(rays);
+  for (std::size_t k = 0; k < indices.size(); ++k) {
+    echoes[indices[k]] = onward_echo(onwards[k], later[k], hits[indices[k]].distance);
+  }
+  return echoes;
+}
+
+void append_point(LabelledScan& out, const Setting& s, const Beam& beam, const Echo& echo, double range) {
+  out.scan.cloud.points.push_back(range * beam.direction);
+  out.scan.cloud.intensities.push_back(float(std::round(echo.intensity)));
+  out.scan.cloud.rings.push_back(std::uint16_t(beam.ring));
+  if (!s.options.snapshot) out.scan.cloud.times.push_back(float(beam.time));
+  const bool on_edge = echo.edge_distance <= kEdgeReach;
+  out.labels.push_back(std::uint8_t(std::uint8_t(echo.kind) | (on_edge ? kEdgeBit : 0)));
+}
+
+LabelledScan simulate_columns(const Setting& s, std::size_t begin, std::size_t end) {
+  std::vector<Beam> beams = aim_columns(s, begin, end);
+  const std::vector<Hit> hits = cast_beams(s, beams);
+  const std::vector<Hit> beside = cast_beside(s, beams);
+  std::vector<std::optional<Echo>> echoes = echoes_of(s, beams, hits);
+  LabelledScan out;
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    if (!echoes[i]) continue;
+    const bool direct = echoes[i]->range == hits[i].distance;
+    if (direct && !beside.empty()) mix(*echoes[i], beside[i], s.options, beams[i].random);
+    stray(*echoes[i], s.options, beams[i].random);
+    const std::optional<double> range = measured_range(*echoes[i], s.lidar, s.options, beams[i].random);
+    if (range) append_point(out, s, beams[i], *echoes[i], *range);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::span<const std::string_view> names_of(PointKind) { return kKinds; }
+
+NoiseOptions gazebo_noise() {
+  NoiseOptions options;
+  options.noise = 0.008;
+  options.outliers = options.mixed = options.ghosts = options.dropouts = 0;
+  options.quantize = false;
+  options.snapshot = true;
+  return options;
+}
+
+LabelledScan simulate_scan(const World& world, const LidarModel& lidar, const Trajectory& trajectory, double stamp,
+                           const NoiseOptions& options, const ScanKey& key) {
+  const Setting setting{world, lidar, trajectory, stamp, options, key, rings_as_they_fire(lidar)};
+  std::vector<LabelledScan> parts((lidar.columns + kColumnsAtOnce - 1) / kColumnsAtOnce);
+  parallel_for(lidar.columns, kColumnsAtOnce, [&](std::size_t begin, std::size_t end) {
+    parts[begin / kColumnsAtOnce] = simulate_columns(setting, begin, end);
+  });
+  LabelledScan whole;
+  whole.scan.stamp = stamp;
+  for (const LabelledScan& part : parts) {
+    if (part.labels.empty()) continue;
+    append(whole.scan.cloud, part.scan.cloud);
+    whole.labels.insert(whole.labels.end(), part.labels.begin(), part.labels.end());
+  }
+  return whole;
+}
+
+}  // namespace tilth

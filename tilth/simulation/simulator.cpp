@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <cmath>
+
+#include <tilth/simulation/simulator.hpp>
+
+namespace tilth {
+namespace {
+
+LidarModel lidar_of(const SimulationOptions& options) {
+  LidarModel lidar = make_lidar(options.sensor);
+  return options.columns == 0 ? lidar : with_columns(std::move(lidar), std::size_t(options.columns));
+}
+
+}  // namespace
+
+SimulationOptions simulation_defaults(std::string_view scene, bool snapshot) {
+  const auto names = scene_names();
+  if (std::find(names.begin(), names.end(), scene) == names.end()) make_scene(scene, {});
+  SimulationOptions options;
+  if (snapshot) options.noise = gazebo_noise();
+  if (scene.starts_with("plaza")) options.scene.people = 6;
+  if (scene == "hospital" || scene == "office") options.scene.people = 4;
+  if (scene == "street") options.sensor = "hdl64", options.scene.height = 1.9, options.scene.people = 5;
+  if (scene.ends_with("_fast")) options.scene.speed = 2.5;
+  if (scene == "corridor_rough") {
+    options.noise.noise = 0.03, options.noise.outliers = 0.02;
+    options.scene.people = 8, options.scene.vibration = 0.003, options.scene.vibration_angle = 0.2;
+  }
+  return options;
+}
+
+SimulationOptions simulation_options(std::string_view scene, const OptionValues& values) {
+  const auto asked = values.find("snapshot");
+  return with(values, simulation_defaults(scene, asked != values.end() && asked->second == "true"));
+}
+
+Simulator::Simulator(std::string_view scene, const SimulationOptions& options)
+    : lidar_(lidar_of(options)), noise_(options.noise), seed_(options.scene.seed) {
+  Scene made = make_scene(scene, options.scene);
+  truth_ = std::move(made.trajectory);
+  world_ = std::make_unique<MeshWorld>(std::move(made.mesh), std::move(made.movers));
+}
+
+std::size_t Simulator::size() const {
+  return std::size_t(std::floor((truth_.back().stamp - truth_.front().stamp) / lidar_.period + 1e-9));
+}
+
+double Simulator::stamp(std::size_t index) const { return truth_.front().stamp + double(index) * lidar_.period; }
+
+LabelledScan Simulator::scan(std::size_t index) const {
+  return simulate_scan(*world_, lidar_, truth_, stamp(index), noise_, {seed_, index});
+}
+
+}  // namespace tilth

@@ -1,0 +1,58 @@
+// A whole recording: scene, sensor and imperfections by name, scan after scan, with truth and labels.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+#include <tilth/core/options.hpp>
+#include <tilth/simulation/mesh_world.hpp>
+#include <tilth/simulation/scenes.hpp>
+#include <tilth/simulation/simulate_scan.hpp>
+
+namespace tilth {
+
+struct SimulationOptions {
+  std::string sensor = "vlp16";
+  int columns = 0;  ///< firings a turn; 0: as the sensor does
+  SceneOptions scene;
+  NoiseOptions noise;
+};
+
+/// All keys in one flat list, as the command line and sim:// take them.
+template <class V>
+void visit(SimulationOptions& o, V&& v) {
+  v("sensor", o.sensor, "[-] leishen_c16, vlp16, hdl32 or hdl64");
+  v("columns", o.columns, Bounds{0, 20000}, "[-] firings a turn, evenly spread; 0: as the sensor does");
+  visit(o.scene, v);
+  visit(o.noise, v);
+}
+
+/// What a scene differs in from the plain defaults: corridor_rough its noise, street its sensor, the fast ones their speed.
+/// With `snapshot` the noise is that of Gazebo's sensors. Throws Error on an unknown scene.
+SimulationOptions simulation_defaults(std::string_view scene, bool snapshot);
+
+/// The options of `scene` with `values` set. Throws Error naming the key that is unknown, is no number or breaks its bounds.
+SimulationOptions simulation_options(std::string_view scene, const OptionValues& values);
+
+class Simulator {
+ public:
+  /// Throws Error on an unknown scene or sensor.
+  Simulator(std::string_view scene, const SimulationOptions& options);
+
+  std::size_t size() const;                       ///< scans in all
+  double stamp(std::size_t index) const;          ///< [s] of a scan's first firing
+  LabelledScan scan(std::size_t index) const;     ///< the same for the same options, in any order
+  const Trajectory& truth() const { return truth_; }  ///< T_world_lidar at 200 Hz over all scans
+  const LidarModel& lidar() const { return lidar_; }
+  const MeshWorld& world() const { return *world_; }
+
+ private:
+  LidarModel lidar_;
+  NoiseOptions noise_;
+  std::uint64_t seed_;
+  Trajectory truth_;
+  std::unique_ptr<MeshWorld> world_;
+};
+
+}  // namespace tilth
