@@ -9,5 +9,7 @@ namespace tilth::app {
 void add_run(CLI::App& app, int& exit_code);
 void add_pipelines(CLI::App& app, int& exit_code);
 void add_config(CLI::App& app, int& exit_code);
+void add_evaluate(CLI::App& app, int& exit_code);
+void add_simulate(CLI::App& app, int& exit_code);
 
 }  // namespace tilth::app

@@ -12,7 +12,7 @@ constexpr double kElsewhereDistance = 0.1;           // [m] and
 constexpr double kElsewhereAngle = 1.0;              // [deg] from which on a start is said to lie elsewhere
 
 [[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
-  char text[200];
+  char text[256];
   va_list values;
   va_start(values, format);
   std::vsnprintf(text, sizeof text, format, values);
@@ -42,9 +42,9 @@ std::string head(const Evaluation& e) {
 }
 
 std::string kitti_rows(const KittiMetric& metric) {
-  std::string text = "\n" + line("%-22s %11s %11s", "KITTI segments", "[%]", "[deg/m]");
+  std::string text = line("\n%-22s %11s %11s", "KITTI segments", "[%]", "[deg/m]");
   for (const SegmentError& mean : metric.by_length) {
-    text += line("%-18g [m] %11.6f %11.6f", mean.length, 100 * mean.translation, kDegrees * mean.rotation);
+    text += line("%6g m %14s %11.6f %11.6f", mean.length, "", 100 * mean.translation, kDegrees * mean.rotation);
   }
   return text + line("mean of %-14zu %11.6f %11.6f", metric.segments.size(), 100 * metric.translation,
                      kDegrees * metric.rotation);
@@ -54,10 +54,10 @@ std::string hint(const Evaluation& e) {
   const double angle = kDegrees * e.start_angle;
   if (e.options.align != Alignment::none) return "";
   if (e.start_distance < kElsewhereDistance && angle < kElsewhereAngle) return "";
-  return "\n" + line(
-                    "hint: the estimate starts %.3f m and %.3f deg away from the truth. Where the two are given in "
-                    "different frames, ask for --align se3 or --align origin.",
-                    e.start_distance, angle);
+  return line(
+      "\nhint: the estimate starts %.3f m and %.3f deg away from the truth. Where the two are given in "
+      "different frames, ask for --align se3 or --align origin.",
+      e.start_distance, angle);
 }
 
 }  // namespace
