@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,24 @@ struct NeighborTable {
   std::span<const float> distances(std::size_t i) const { return {squared_distances.data() + i * k, k}; }
 };
 
-/// The k nearest neighbours of every point. Uses the order of rings and firings where the cloud has one, else a kd-tree;
-/// the result is the same set of distances either way. Points must be finite.
+/// The k nearest neighbours of every point. Uses the order of rings and firings where the cloud has one, else a
+/// kd-tree; the result is the same set of distances either way. Points must be finite.
 NeighborTable scan_neighbors(const PointCloud& cloud, std::size_t k);
+
+/// scan_neighbors() for scan after scan: keeps its buffers, so that after the first scans nothing is allocated.
+class ScanNeighbors {
+ public:
+  ScanNeighbors();
+  ScanNeighbors(ScanNeighbors&&) noexcept;
+  ScanNeighbors& operator=(ScanNeighbors&&) noexcept;
+  ~ScanNeighbors();
+
+  /// The table of `cloud`; it holds until the next call.
+  const NeighborTable& compute(const PointCloud& cloud, std::size_t k);
+
+ private:
+  struct Buffers;
+  std::unique_ptr<Buffers> buffers_;
+};
 
 }  // namespace tilth

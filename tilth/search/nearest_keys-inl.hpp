@@ -1,0 +1,95 @@
+// The nearest candidates of each lane, sorted by a network of minima and maxima (Batcher's merge exchange, Knuth TAOCP
+// 3, 5.2.2 M, then insertion). A key is the squared distance with its low bits given to the candidate's number: one
+// integer carries both. Where equal upper bits leave the order open, the exact distances decide later.
+#if defined(TILTH_SEARCH_NEAREST_KEYS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TILTH_SEARCH_NEAREST_KEYS_INL
+#undef TILTH_SEARCH_NEAREST_KEYS_INL
+#else
+#define TILTH_SEARCH_NEAREST_KEYS_INL
+#endif
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace tilth {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr std::int32_t kNumberBits = 0xFF;
+constexpr std::int32_t kNoKey = 0x7F7FFFFF;  // a distance that nothing has
+
+struct Comparator {
+  std::uint8_t low, high;
+};
+
+/// Calls visit(low, high) for each comparator of the network that sorts n keys.
+template <class Visit>
+constexpr void merge_exchange(std::size_t n, const Visit& visit) {
+  std::size_t top = 1;
+  while (2 * top < n) top *= 2;
+  for (std::size_t p = top; p > 0; p /= 2) {
+    std::size_t r = 0, step = p;
+    for (std::size_t q = top;; q /= 2) {
+      for (std::size_t i = 0; i + step < n; ++i) {
+        if ((i & p) == r) visit(i, i + step);
+      }
+      if (q == p) break;
+      step = q - p;
+      r = p;
+    }
+  }
+}
+
+template <std::size_t kCount>
+constexpr std::size_t network_size() {
+  std::size_t size = 0;
+  merge_exchange(kCount, [&](std::size_t, std::size_t) { ++size; });
+  return size;
+}
+
+template <std::size_t kCount>
+constexpr auto sorting_network() {
+  std::array<Comparator, network_size<kCount>()> network{};
+  std::size_t size = 0;
+  merge_exchange(kCount, [&](std::size_t a, std::size_t b) { network[size++] = {std::uint8_t(a), std::uint8_t(b)}; });
+  return network;
+}
+
+template <class V>
+HWY_INLINE void exchange(V& low, V& high) {
+  const V least = hn::Min(low, high);
+  high = hn::Max(low, high);
+  low = least;
+}
+
+/// Sorts each lane of `keys`, ascending.
+template <class V, std::size_t kCount>
+HWY_INLINE void sort_keys(V (&keys)[kCount]) {
+  constexpr auto kNetwork = sorting_network<kCount>();
+  const auto run = [&]<std::size_t... i>(std::index_sequence<i...>) HWY_ATTR {
+    (exchange(keys[kNetwork[i].low], keys[kNetwork[i].high]), ...);
+  };
+  run(std::make_index_sequence<kNetwork.size()>());
+}
+
+/// Keeps the least of `keys` and one more key, sorted.
+template <class V, std::size_t kCount>
+HWY_INLINE void insert_key(V (&keys)[kCount], V key) {
+  const auto run = [&]<std::size_t... i>(std::index_sequence<i...>) HWY_ATTR {
+    (exchange(keys[i], key), ...);
+  };
+  run(std::make_index_sequence<kCount>());
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace tilth
+HWY_AFTER_NAMESPACE();
+#endif
