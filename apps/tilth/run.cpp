@@ -1,6 +1,6 @@
 // tilth run: a recording becomes a trajectory, a map and figures.
-#include <algorithm>
 #include <memory>
+#include <optional>
 #include <sys/resource.h>
 
 #include <tbb/global_control.h>
@@ -9,9 +9,12 @@
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "option_arguments.hpp"
+#include "option_flags.hpp"
 #include "register_scans.hpp"
 #include "run_report.hpp"
 #include <tilth/core/error.hpp>
+#include <tilth/evaluation/evaluate.hpp>
+#include <tilth/io/pose_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/output/output_folder.hpp>
 #include <tilth/output/run_record.hpp>
@@ -23,7 +26,7 @@ namespace {
 constexpr int kSignalExit = 128;  // as a shell says that a signal ended a program
 
 struct RunArguments {
-  std::string source, out;
+  std::string source, out, truth;
   OptionArguments options;
   SourceOptions input;
   OptionValues map;
@@ -72,6 +75,20 @@ RunEnd register_all(const RunArguments& arguments, const PipelineChoice& choice,
   return end;
 }
 
+/// Evaluates the run; what prevents that is returned, one sentence each. Whatever the truth's own frame, the run's
+/// world is its first LiDAR pose: so the two are aligned.
+std::vector<std::string> judge(const PoseFile& truth, RunRecord& record) {
+  EvaluationOptions options;
+  options.align = Alignment::se3;
+  const auto judged = truth.has_stamps ? &evaluate : &evaluate_by_index;
+  try {
+    record.evaluation = judged(truth.trajectory, record.trajectory, options);
+  } catch (const Error& e) {
+    return {e.what()};
+  }
+  return {};
+}
+
 int exit_code_of(RunEnd end, bool strict) {
   if (end == RunEnd::interrupted) return kSignalExit + interrupted();
   return end == RunEnd::bad_record || (end == RunEnd::input_broken && strict) ? 1 : 0;
@@ -79,6 +96,8 @@ int exit_code_of(RunEnd end, bool strict) {
 
 int run(const RunArguments& arguments) {
   Console console(arguments.quiet);
+  std::optional<PoseFile> truth;
+  if (!arguments.truth.empty()) truth = read_pose_file(arguments.truth);
   const PipelineChoice choice = choose_pipeline(arguments.options);
   RunRecord record = new_record(arguments, choice);
   const RunEnd end = register_all(arguments, choice, record, console);
@@ -86,7 +105,9 @@ int run(const RunArguments& arguments) {
     const std::string reason = record.skipped.empty() ? "it is empty" : record.skipped.front().what;
     throw Error(arguments.source, "has no scan that can be used; " + reason);
   }
-  const std::vector<std::string> failures = write_run(arguments.out, record);
+  std::vector<std::string> failures;
+  if (truth) failures = judge(*truth, record);
+  for (std::string& failure : write_run(arguments.out, record)) failures.push_back(std::move(failure));
   report_run(record, arguments.out, console);
   for (const std::string& failure : failures) console.error(failure);
   return failures.empty() ? exit_code_of(end, arguments.loop.strict) : 1;
@@ -102,13 +123,8 @@ void add_input_options(CLI::App& command, RunArguments& a) {
 
 void add_output_options(CLI::App& command, RunArguments& a) {
   command.add_option("--out", a.out, "folder for the results; made where missing")->required();
-  for (const OptionInfo& option : describe(MapOptions{})) {
-    std::string flag = "--" + option.key;
-    std::replace(flag.begin(), flag.end(), '_', '-');
-    const std::string meaning = "[" + option.unit + "] " + option.meaning + " (default " + option.value + ")";
-    command.add_option_function<std::string>(
-        flag, [&a, key = option.key](const std::string& value) { a.map[key] = value; }, meaning);
-  }
+  add_option_flags(command, describe(MapOptions{}), a.map);
+  command.add_option("--truth", a.truth, "true trajectory (TUM or KITTI) to judge the run by, aligned rigidly");
   command.add_flag("--quiet", a.quiet, "print errors only");
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include <tilth/output/evaluation_report.hpp>
 #include <tilth/output/summary_json.hpp>
 
 namespace tilth::app {
@@ -40,6 +41,7 @@ void report_run(const RunRecord& record, const std::string& folder, Console& con
   console.note(counts_line(record));
   console.note(way_line(figures));
   console.note(speed_line(figures, record.peak_megabytes));
+  if (record.evaluation) console.note(evaluation_table(*record.evaluation));
   std::string files = "in " + folder + ":";
   for (const std::string& file : run_files()) files += " " + file;
   console.note(files);

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <tilth/core/options.hpp>
 #include <tilth/core/trajectory.hpp>
+#include <tilth/evaluation/evaluate.hpp>
 #include <tilth/output/map_builder.hpp>
 #include <tilth/output/scan_table.hpp>
 
@@ -27,8 +29,9 @@ struct RunRecord {
   Trajectory trajectory;
   ScanTable scans;
   MapBuilder map{MapOptions{}};
-  double wall_seconds = 0.0;    ///< [s] of the whole run, files not counted
-  double peak_megabytes = 0.0;  ///< [MB] resident
+  std::optional<Evaluation> evaluation;  ///< where the truth is known
+  double wall_seconds = 0.0;             ///< [s] of the whole run, files not counted
+  double peak_megabytes = 0.0;           ///< [MB] resident
 };
 
 /// The names of the files that write_run makes.

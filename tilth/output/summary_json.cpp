@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <tilth/output/distribution.hpp>
+#include <tilth/output/evaluation_report.hpp>
 #include <tilth/output/summary_json.hpp>
 
 namespace tilth {
@@ -84,23 +85,24 @@ RunFigures figures_of(const RunRecord& record) {
 
 std::string summary_json(const RunRecord& record) {
   const RunFigures figures = figures_of(record);
-  const Json summary = {{"version", record.version},
-                        {"source", record.source},
-                        {"ended", record.ended},
-                        {"decisions", record.decisions},
-                        {"pipeline", record.pipeline},
-                        {"options", options(record)},
-                        {"map_voxel_m", record.map.voxel()},
-                        {"counts", counts(record)},
-                        {"skipped", skipped(record)},
-                        {"recorded_seconds", figures.recorded_seconds},
-                        {"registering_seconds", figures.registering_seconds},
-                        {"wall_seconds", record.wall_seconds},
-                        {"real_time_factor", figures.real_time_factor},
-                        {"milliseconds", milliseconds(record.scans)},
-                        {"peak_megabytes", record.peak_megabytes},
-                        {"distance_m", figures.distance},
-                        {"end_to_start_m", figures.end_to_start}};
+  Json summary = {{"version", record.version},
+                  {"source", record.source},
+                  {"ended", record.ended},
+                  {"decisions", record.decisions},
+                  {"pipeline", record.pipeline},
+                  {"options", options(record)},
+                  {"map_voxel_m", record.map.voxel()},
+                  {"counts", counts(record)},
+                  {"skipped", skipped(record)},
+                  {"recorded_seconds", figures.recorded_seconds},
+                  {"registering_seconds", figures.registering_seconds},
+                  {"wall_seconds", record.wall_seconds},
+                  {"real_time_factor", figures.real_time_factor},
+                  {"milliseconds", milliseconds(record.scans)},
+                  {"peak_megabytes", record.peak_megabytes},
+                  {"distance_m", figures.distance},
+                  {"end_to_start_m", figures.end_to_start}};
+  if (record.evaluation) summary["evaluation"] = Json::parse(evaluation_json(*record.evaluation));
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
