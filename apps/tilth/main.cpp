@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   tilth::app::add_pipelines(app, exit_code);
   tilth::app::add_config(app, exit_code);
   tilth::app::add_evaluate(app, exit_code);
+  tilth::app::add_simulate(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

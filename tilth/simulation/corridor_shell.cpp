@@ -8,8 +8,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kCornerClear = 0.8;   // [m] without features at both ends of a wall
-constexpr double kPassageDepth = 0.2;  // [m] of a wall one walks through
+constexpr double kCornerClear = 0.8;                       // [m] without features at both ends of a wall
+constexpr double kPassageDepth = 0.2;                      // [m] of a wall one walks through
 constexpr double kFrameWidth = 0.07, kFrameDepth = 0.025;  // [m]
 
 struct Look {
@@ -17,7 +17,7 @@ struct Look {
 };
 
 Look look_of(Mesh& mesh, const CorridorStyle& style) {
-  return {add_surface(mesh, {"wall", Material::matte, 0.7}),    add_surface(mesh, {"floor", style.floor, 0.35}),
+  return {add_surface(mesh, {"wall", Material::matte, 0.7}), add_surface(mesh, {"floor", style.floor, 0.35}),
           add_surface(mesh, {"ceiling", Material::matte, 0.8}), add_surface(mesh, {"door", Material::matte, 0.45}),
           add_surface(mesh, {"frame", Material::matte, 0.3})};
 }
@@ -65,8 +65,8 @@ void add_corridor_wall(Mesh& mesh, const Look& look, const CorridorStyle& style,
         style.adorn(mesh, upright(site.at(s + width / 2), site.yaw), width);
       } else {
         const bool open = opens(entry, width);
-        wall.openings.push_back({s, width, 0, 2.1, open ? kPassageDepth : style.recess,
-                                 open ? Opening::kPassage : int(look.door)});
+        wall.openings.push_back(
+            {s, width, 0, 2.1, open ? kPassageDepth : style.recess, open ? Opening::kPassage : int(look.door)});
         add_frame(mesh, look.frame, site, wall.openings.back());
       }
     }

@@ -14,17 +14,18 @@ using Adorns = std::function<void(Mesh& mesh, const Pose& T_world_foot, double w
 void add_notice_board(Mesh& mesh, const Pose& T_world_foot, double width);
 
 struct CorridorStyle {
-  double half_width = 1.2;        ///< [m]
-  double height = 3.0;            ///< [m]
-  double least_gap = 1.5;         ///< [m] of plain wall between two features
-  double most_gap = 5.0;          ///< [m]
-  double adorned = 0.35;          ///< share of the features that are not doors
+  double half_width = 1.2;  ///< [m]
+  double height = 3.0;      ///< [m]
+  double least_gap = 1.5;   ///< [m] of plain wall between two features
+  double most_gap = 5.0;    ///< [m]
+  double adorned = 0.35;    ///< share of the features that are not doors
   Adorns adorn = add_notice_board;
-  double recess = 0.07;           ///< [m] of the door panels behind the wall
+  double recess = 0.07;  ///< [m] of the door panels behind the wall
   Material floor = Material::glossy;
 };
 
-/// Decides whether the wall opens into a room: given the pose of the opening's foot, x into the room, and its width [m].
+/// Decides whether the wall opens into a room: given the pose of the opening's foot, x into the room, and its width
+/// [m].
 using Opens = std::function<bool(const Pose& T_world_entry, double width)>;
 
 /// Adds the corridor; `bare(arc)` says where along the way [m] its walls stay plain.

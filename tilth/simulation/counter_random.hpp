@@ -1,5 +1,5 @@
-// Random numbers by counter: the stream is a pure function of its keys, so that a scan has the same bytes whatever thread
-// makes it. Mixing by SplitMix64 (Steele, Lea, Flood 2014). About 2 ns a number.
+// Random numbers by counter: the stream is a pure function of its keys, so that a scan has the same bytes whatever
+// thread makes it. Mixing by SplitMix64 (Steele, Lea, Flood 2014). About 2 ns a number.
 #pragma once
 
 #include <cmath>

@@ -6,23 +6,28 @@
 namespace tilth {
 namespace {
 
-constexpr double kGrazing = 0.06;         // cosine of incidence below which a matte surface loses returns
-constexpr double kGlossyGrazing = 0.35;   // the same of a polished floor
-constexpr double kMetalGrazing = 0.5;     // the same of bare metal
-constexpr double kMixedGap = 0.15;        // [m] apart at least, to be taken for two surfaces
-constexpr double kStrayGap = 0.3;         // [m] of a stray range from the surface at least
-constexpr double kPaneReturn = 0.15;      // share of the beams that a pane of glass scatters back
-constexpr double kPastSurface = 1e-4;     // [m] by which a beam that goes on starts beyond
+constexpr double kGrazing = 0.06;        // cosine of incidence below which a matte surface loses returns
+constexpr double kGlossyGrazing = 0.35;  // the same of a polished floor
+constexpr double kMetalGrazing = 0.5;    // the same of bare metal
+constexpr double kMixedGap = 0.15;       // [m] apart at least, to be taken for two surfaces
+constexpr double kStrayGap = 0.3;        // [m] of a stray range from the surface at least
+constexpr double kPaneReturn = 0.15;     // share of the beams that a pane of glass scatters back
+constexpr double kPastSurface = 1e-4;    // [m] by which a beam that goes on starts beyond
 
 double grazing_limit(Material material) {
   switch (material) {
-    case Material::metal: return kMetalGrazing;
-    case Material::glossy: return kGlossyGrazing;
-    default: return kGrazing;
+    case Material::metal:
+      return kMetalGrazing;
+    case Material::glossy:
+      return kGlossyGrazing;
+    default:
+      return kGrazing;
   }
 }
 
-double cosine_of(const Ray& ray, const Hit& hit) { return std::abs(ray.direction.dot(hit.normal)); }
+double cosine_of(const Ray& ray, const Hit& hit) {
+  return std::abs(ray.direction.dot(hit.normal));
+}
 
 Ray mirrored(const Ray& ray, const Hit& hit) {
   const Eigen::Vector3d point = ray.origin + hit.distance * ray.direction;

@@ -1,5 +1,5 @@
-// What a receiver makes of a beam that met something: losses, mirrors, mixed pixels, false ranges, noise. Each effect has a
-// rate of its own in NoiseOptions; the figures behind them are rough readings of what mechanical LiDARs show.
+// What a receiver makes of a beam that met something: losses, mirrors, mixed pixels, false ranges, noise. Each effect
+// has a rate of its own in NoiseOptions; the figures behind them are rough readings of what mechanical LiDARs show.
 #pragma once
 
 #include <optional>

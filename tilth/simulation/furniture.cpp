@@ -7,7 +7,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-Pose at(double x, double y, double z) { return upright({x, y, z}, 0); }
+Pose at(double x, double y, double z) {
+  return upright({x, y, z}, 0);
+}
 
 }  // namespace
 

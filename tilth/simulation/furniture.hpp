@@ -16,9 +16,9 @@ struct Room {
 /// Floor, ceiling and the four walls, the one with the entry seen from inside; a window in the far wall.
 void add_room(Mesh& mesh, const Room& room, double door_width);
 
-void add_bed(Mesh& mesh, const Pose& T_world_foot);      ///< 0.95 x 2.05 m with head and foot boards
+void add_bed(Mesh& mesh, const Pose& T_world_foot);  ///< 0.95 x 2.05 m with head and foot boards
 void add_cabinet(Mesh& mesh, const Pose& T_world_foot, const Eigen::Vector3d& size);  ///< of bare metal
-void add_desk(Mesh& mesh, const Pose& T_world_foot);     ///< 1.6 x 0.8 m with a chair and a screen
-void add_shelf(Mesh& mesh, const Pose& T_world_foot);    ///< 1.2 x 0.35 x 2 m, open, with boards and books
+void add_desk(Mesh& mesh, const Pose& T_world_foot);   ///< 1.6 x 0.8 m with a chair and a screen
+void add_shelf(Mesh& mesh, const Pose& T_world_foot);  ///< 1.2 x 0.35 x 2 m, open, with boards and books
 
 }  // namespace tilth

@@ -12,8 +12,8 @@ constexpr double kQuarter = std::numbers::pi / 2;
 constexpr double kHalfWidth = 1.4, kHeight = 2.8;  // [m]
 constexpr std::uint64_t kStream = 0x30;
 
-const std::vector<Leg> kLegs{{5, 0, 0},   {20, 0.6, 0}, {16, 0.75, 0}, {3.5, 0.5, -kQuarter}, {12, 0.7, 0}, {3, 0, 0},
-                             {14, 0.7, 0}, {3.5, 0.5, kQuarter}, {22, 0.7, 0}, {4, 0, 0}};
+const std::vector<Leg> kLegs{{5, 0, 0}, {20, 0.6, 0}, {16, 0.75, 0},        {3.5, 0.5, -kQuarter}, {12, 0.7, 0},
+                             {3, 0, 0}, {14, 0.7, 0}, {3.5, 0.5, kQuarter}, {22, 0.7, 0},          {4, 0, 0}};
 
 void furnish_ward(Mesh& mesh, Movers& movers, const RoomsBeside::Taken& ward, CounterRandom& random) {
   const Room& room = ward.room;
@@ -54,7 +54,8 @@ Scene hospital(const SceneOptions& options) {
     return random.chance(0.75) && wards.take({T_world_entry, 4.4, 5.0, kHeight}, width);
   };
   Scene scene;
-  add_corridor(scene.mesh, whole, style, [](double) { return false; }, opens, random);
+  add_corridor(
+      scene.mesh, whole, style, [](double) { return false; }, opens, random);
   for (const RoomsBeside::Taken& ward : wards.taken()) furnish_ward(scene.mesh, scene.movers, ward, random);
   scene.movers.walkers = walkers_beside(lengthened(whole, -0.7), options.people, 0.8, random);
   scene.trajectory = travel(kLegs, options);

@@ -14,7 +14,9 @@ Vector3d heading_at(const Trajectory& trajectory, double stamp) {
   return interpolate(trajectory, stamp).linear().col(0);
 }
 
-Vector3d left_of(const Vector3d& along) { return Vector3d::UnitZ().cross(along); }
+Vector3d left_of(const Vector3d& along) {
+  return Vector3d::UnitZ().cross(along);
+}
 
 /// Where two lines in the plane meet.
 Vector3d crossing(const Vector3d& p, const Vector3d& u, const Vector3d& q, const Vector3d& v) {
@@ -87,9 +89,13 @@ double length_of(const Way& way) {
   return length;
 }
 
-double arc_of(const Way& way, const Vector3d& point) { return nearest_on(way, point).arc; }
+double arc_of(const Way& way, const Vector3d& point) {
+  return nearest_on(way, point).arc;
+}
 
-double distance_to(const Way& way, const Vector3d& point) { return nearest_on(way, point).distance; }
+double distance_to(const Way& way, const Vector3d& point) {
+  return nearest_on(way, point).distance;
+}
 
 Way footprint(const Trajectory& trajectory) {
   const auto on_floor = [](const StampedPose& pose) -> Vector3d {

@@ -21,9 +21,9 @@ Way offset(const Way& way, double left);
 /// The way with `more` [m] added at both ends.
 Way lengthened(Way way, double more);
 
-double length_of(const Way& way);                                    ///< [m]
-double arc_of(const Way& way, const Eigen::Vector3d& point);         ///< [m] along it of its point nearest to `point`
-double distance_to(const Way& way, const Eigen::Vector3d& point);    ///< [m] in the plane
+double length_of(const Way& way);                                  ///< [m]
+double arc_of(const Way& way, const Eigen::Vector3d& point);       ///< [m] along it of its point nearest to `point`
+double distance_to(const Way& way, const Eigen::Vector3d& point);  ///< [m] in the plane
 
 /// The way that a trajectory took, a corner every 0.25 m, on the floor.
 Way footprint(const Trajectory& trajectory);

@@ -46,8 +46,8 @@ inline constexpr std::uint8_t kAllSides = 0b1111;
 inline constexpr std::uint8_t kNoSides = 0;
 
 /// The parallelogram corner + a u + b v, a and b in [0, 1].
-void add_quad(Mesh& mesh, SurfaceId surface, const Eigen::Vector3d& corner,
-              const std::array<Eigen::Vector3d, 2>& sides, std::uint8_t edges);
+void add_quad(Mesh& mesh, SurfaceId surface, const Eigen::Vector3d& corner, const std::array<Eigen::Vector3d, 2>& sides,
+              std::uint8_t edges);
 
 /// A box of `size` [m] whose bottom centre is at the origin of T_world_box.
 void add_box(Mesh& mesh, SurfaceId surface, const Pose& T_world_box, const Eigen::Vector3d& size);
@@ -57,12 +57,12 @@ void add_cylinder(Mesh& mesh, SurfaceId surface, const Pose& T_world_base, doubl
 
 /// A gap in a wall. The panel lies `recess` [m] behind the wall; reveals join the two.
 struct Opening {
-  double at = 0.0;             ///< [m] along the wall from its start
-  double width = 1.0;          ///< [m]
-  double bottom = 0.0;         ///< [m] above the foot of the wall
-  double top = 2.1;            ///< [m] above the foot of the wall
-  double recess = 0.08;        ///< [m]
-  int panel = kPassage;        ///< surface of the panel, or kPassage where one can walk through
+  double at = 0.0;       ///< [m] along the wall from its start
+  double width = 1.0;    ///< [m]
+  double bottom = 0.0;   ///< [m] above the foot of the wall
+  double top = 2.1;      ///< [m] above the foot of the wall
+  double recess = 0.08;  ///< [m]
+  int panel = kPassage;  ///< surface of the panel, or kPassage where one can walk through
   static constexpr int kPassage = -1;
 };
 

@@ -9,9 +9,9 @@
 namespace tilth {
 namespace {
 
-constexpr double kBlend = 1.6;       // [s] at nominal speed, over which a leg takes up its own speed
-constexpr double kCruise = 0.2;      // [m/s] above which roll, pitch and weave reach their full size
-constexpr int kStepsPerPose = 10;    // of the integration of speed and heading
+constexpr double kBlend = 1.6;     // [s] at nominal speed, over which a leg takes up its own speed
+constexpr double kCruise = 0.2;    // [m/s] above which roll, pitch and weave reach their full size
+constexpr int kStepsPerPose = 10;  // of the integration of speed and heading
 constexpr std::uint64_t kWobbleStream = 0xA0, kVibrationStream = 0xB0;
 
 /// Rises from 0 to 1 with vanishing first and second derivatives at both ends.

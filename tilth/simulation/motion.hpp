@@ -1,5 +1,6 @@
-// How the sensor travels: a list of legs with a speed and a turn each, joined so that speed and yaw rate have continuous
-// derivatives, plus what a wheeled platform adds: smooth roll, pitch and weave while it moves, and vibration.
+// How the sensor travels: a list of legs with a speed and a turn each, joined so that speed and yaw rate have
+// continuous derivatives, plus what a wheeled platform adds: smooth roll, pitch and weave while it moves, and
+// vibration.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +18,10 @@ struct Leg {
 };
 
 struct MotionOptions {
-  double speed_scale = 1.0;  ///< [-] the same way driven this many times as fast
-  double wobble = 0.02;      ///< [rad] bound of roll and of pitch
-  double weave = 0.02;       ///< [rad] bound of the heading's swing about the way
-  double vibration = 0.0;    ///< [m] deviation of each coordinate
+  double speed_scale = 1.0;      ///< [-] the same way driven this many times as fast
+  double wobble = 0.02;          ///< [rad] bound of roll and of pitch
+  double weave = 0.02;           ///< [rad] bound of the heading's swing about the way
+  double vibration = 0.0;        ///< [m] deviation of each coordinate
   double vibration_angle = 0.0;  ///< [rad] deviation about each axis
   std::uint64_t seed = 1;
 };

@@ -98,8 +98,7 @@ void cast_door(const Door& door, const Ray& ray, Hit& hit) {
   const Pose T = pose_at(door, ray.time);
   const Pose T_door_world = T.inverse(Eigen::Isometry);
   const Ray local{T_door_world * ray.origin, T_door_world.linear() * ray.direction, ray.time};
-  std::optional<Meeting> meeting =
-      meet_box(local, {0, -kLeafThickness, 0.005}, {door.width, 0, door.height});
+  std::optional<Meeting> meeting = meet_box(local, {0, -kLeafThickness, 0.005}, {door.width, 0, door.height});
   if (meeting) meeting->normal = T.linear() * meeting->normal;
   bring_nearer(hit, meeting, kDoorLeaf);
 }

@@ -1,5 +1,6 @@
 // What moves in a scene, as a function of time: people who walk and door leaves that swing. A ray meets them where they
-// are at its own time, exactly, by closed formulas (capsules, boxes); a ray that passes far from one costs one dot product.
+// are at its own time, exactly, by closed formulas (capsules, boxes); a ray that passes far from one costs one dot
+// product.
 #pragma once
 
 #include <vector>

@@ -8,7 +8,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-Pose at(const Vector3d& position) { return upright(position, 0); }
+Pose at(const Vector3d& position) {
+  return upright(position, 0);
+}
 
 Vector3d random_direction(CounterRandom& random) {
   return Vector3d(random.normal(), random.normal(), random.normal()).normalized();
@@ -59,7 +61,8 @@ void add_lamp_post(Mesh& mesh, const Vector3d& foot, double height) {
 void add_flower_bed(Mesh& mesh, const Vector3d& foot, double radius, CounterRandom& random) {
   const SurfaceId stone = add_surface(mesh, {"flower bed", Material::matte, 0.6});
   add_cylinder(mesh, stone, at(foot), radius, 0.45);
-  add_foliage(mesh, foot + Vector3d(0, 0, 0.6), {0.85 * radius, 0.85 * radius, 0.4}, int(160 * radius * radius), random);
+  add_foliage(mesh, foot + Vector3d(0, 0, 0.6), {0.85 * radius, 0.85 * radius, 0.4}, int(160 * radius * radius),
+              random);
 }
 
 void add_bench(Mesh& mesh, const Pose& T_world_foot) {
@@ -91,8 +94,8 @@ void add_paving(Mesh& mesh, const Eigen::AlignedBox2d& area, double tile, Counte
   const SurfaceId sand = add_surface(mesh, {"sand bed", Material::matte, 0.4});
   const SurfaceId stone = add_surface(mesh, {"paving", Material::matte, 0.45});
   const Eigen::Vector2d size = area.sizes();
-  add_quad(mesh, sand, {area.min().x(), area.min().y(), -0.02}, {size.x() * Vector3d::UnitX(), size.y() * Vector3d::UnitY()},
-           kNoSides);
+  add_quad(mesh, sand, {area.min().x(), area.min().y(), -0.02},
+           {size.x() * Vector3d::UnitX(), size.y() * Vector3d::UnitY()}, kNoSides);
   for (double x = area.min().x(); x + tile <= area.max().x(); x += tile) {
     for (double y = area.min().y(); y + tile <= area.max().y(); y += tile) {
       add_quad(mesh, stone, {x, y, random.uniform(-0.006, 0.006)}, {tile * Vector3d::UnitX(), tile * Vector3d::UnitY()},

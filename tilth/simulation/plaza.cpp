@@ -11,16 +11,30 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kMargin = 9.0;   // [m] of plaza about the way
-constexpr double kClear = 1.2;    // [m] kept free beside the way
+constexpr double kMargin = 9.0;  // [m] of plaza about the way
+constexpr double kClear = 1.2;   // [m] kept free beside the way
 constexpr std::uint64_t kStream = 0x20;
 
 /// 0.5 to 0.8 m/s with stops, a stretch in reverse, turns on the spot and sharp turns under way.
-const std::vector<Leg> kLegs{{3, 0, 0},        {8, 0.6, 0},          {3, 0.6, -60 * kDegree}, {8, 0.8, 0},
-                             {4, 0, 0},        {3, 0, 95 * kDegree}, {7, 0.7, 0},             {3, 0, 0},
-                             {6, -0.5, 0},     {2, 0, 0},            {3, 0, 110 * kDegree},   {9, 0.8, 0},
-                             {2.5, 0.6, 70 * kDegree}, {8, 0.7, 0},  {2.5, 0.6, 80 * kDegree}, {10, 0.8, 0},
-                             {3, 0.5, -65 * kDegree},  {6, 0.6, 0},  {3, 0, 0}};
+const std::vector<Leg> kLegs{{3, 0, 0},
+                             {8, 0.6, 0},
+                             {3, 0.6, -60 * kDegree},
+                             {8, 0.8, 0},
+                             {4, 0, 0},
+                             {3, 0, 95 * kDegree},
+                             {7, 0.7, 0},
+                             {3, 0, 0},
+                             {6, -0.5, 0},
+                             {2, 0, 0},
+                             {3, 0, 110 * kDegree},
+                             {9, 0.8, 0},
+                             {2.5, 0.6, 70 * kDegree},
+                             {8, 0.7, 0},
+                             {2.5, 0.6, 80 * kDegree},
+                             {10, 0.8, 0},
+                             {3, 0.5, -65 * kDegree},
+                             {6, 0.6, 0},
+                             {3, 0, 0}};
 
 Eigen::AlignedBox2d area_of(const Way& way) {
   Eigen::AlignedBox2d area;

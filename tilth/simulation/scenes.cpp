@@ -11,9 +11,9 @@ struct NamedScene {
   Scene (*make)(const SceneOptions&);
 };
 
-constexpr std::array kScenes{NamedScene{"corridor", corridor},     NamedScene{"corridor_fast", corridor},
+constexpr std::array kScenes{NamedScene{"corridor", corridor},       NamedScene{"corridor_fast", corridor},
                              NamedScene{"corridor_rough", corridor}, NamedScene{"plaza", plaza},
-                             NamedScene{"plaza_fast", plaza},      NamedScene{"hospital", hospital}};
+                             NamedScene{"plaza_fast", plaza},        NamedScene{"hospital", hospital}};
 
 constexpr auto kNames = [] {
   std::array<std::string_view, kScenes.size()> names{};
@@ -23,7 +23,9 @@ constexpr auto kNames = [] {
 
 }  // namespace
 
-std::span<const std::string_view> scene_names() { return kNames; }
+std::span<const std::string_view> scene_names() {
+  return kNames;
+}
 
 Scene make_scene(std::string_view name, const SceneOptions& options) {
   const auto scene = std::find_if(kScenes.begin(), kScenes.end(), [&](const NamedScene& s) { return s.name == name; });

@@ -16,9 +16,9 @@ namespace tilth {
 
 struct SceneOptions {
   std::uint64_t seed = 1;
-  double duration = 0.0;         ///< [s] at most; 0: the whole way
-  double speed = 1.0;            ///< [-] the same way so many times as fast
-  double height = 0.8;           ///< [m] of the sensor above the floor
+  double duration = 0.0;  ///< [s] at most; 0: the whole way
+  double speed = 1.0;     ///< [-] the same way so many times as fast
+  double height = 0.8;    ///< [m] of the sensor above the floor
   int people = 2;
   double bare = 12.0;            ///< [m] of corridor, about its middle, without any feature
   double vibration = 0.0;        ///< [m] deviation of each coordinate
@@ -43,13 +43,14 @@ struct Scene {
   Trajectory trajectory;  ///< of the LiDAR in the world, 200 Hz, from time 0
 };
 
-Scene corridor(const SceneOptions& options);    ///< of a school: two right turns, doors, notice boards, bare stretches
-Scene plaza(const SceneOptions& options);       ///< before a building: paving, steps, trees, flower beds, facades
-Scene hospital(const SceneOptions& options);    ///< corridor with wards, beds, metal cabinets, doors that swing
+Scene corridor(const SceneOptions& options);  ///< of a school: two right turns, doors, notice boards, bare stretches
+Scene plaza(const SceneOptions& options);     ///< before a building: paving, steps, trees, flower beds, facades
+Scene hospital(const SceneOptions& options);  ///< corridor with wards, beds, metal cabinets, doors that swing
 
 std::span<const std::string_view> scene_names();
 
-/// The scene of that name; its variants (corridor_fast ...) differ in their options alone. Throws Error listing the names.
+/// The scene of that name; its variants (corridor_fast ...) differ in their options alone. Throws Error listing the
+/// names.
 Scene make_scene(std::string_view name, const SceneOptions& options);
 
 }  // namespace tilth

@@ -47,7 +47,9 @@ Beam aim(const Setting& s, std::size_t column, std::size_t slot) {
   const double turned = s.options.snapshot ? double(column) * s.lidar.period / double(s.lidar.columns) : fired;
   const Eigen::Vector3d direction = s.lidar.direction(ring, turned);
   const Pose T_world_lidar = interpolate(s.trajectory, s.stamp + fired);
-  return {ring, fired, direction,
+  return {ring,
+          fired,
+          direction,
           {T_world_lidar.translation(), T_world_lidar.linear() * direction, s.stamp + fired},
           CounterRandom(s.key.seed, s.key.index, column * s.lidar.rings() + slot)};
 }
@@ -135,7 +137,9 @@ LabelledScan simulate_columns(const Setting& s, std::size_t begin, std::size_t e
 
 }  // namespace
 
-std::span<const std::string_view> names_of(PointKind) { return kKinds; }
+std::span<const std::string_view> names_of(PointKind) {
+  return kKinds;
+}
 
 NoiseOptions gazebo_noise() {
   NoiseOptions options;

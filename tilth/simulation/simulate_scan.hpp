@@ -1,5 +1,6 @@
 // One revolution of a spinning LiDAR in a world: every beam is cast from the sensor's pose at its own time, so the scan
-// carries true motion distortion; or all from one pose, as Gazebo's sensors do. About 15 ms for 28,800 beams on one core.
+// carries true motion distortion; or all from one pose, as Gazebo's sensors do. About 15 ms for 28,800 beams on one
+// core.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +17,14 @@
 namespace tilth {
 
 struct NoiseOptions {
-  double noise = 0.02;             ///< [m] deviation of a range
-  double outliers = 0.01;          ///< share of the beams that report a range of no surface
-  double mixed = 0.5;              ///< share of the beams across a depth edge that report a range between
-  double divergence = 0.003;       ///< [rad] full angle of the beam
-  double ghosts = 0.3;             ///< share of the beams on metal or glass that report what they mirror
-  double dropouts = 1.0;           ///< scale of the losses on grazed and glossy surfaces
-  bool quantize = true;            ///< ranges in whole steps of the sensor's packets
-  bool snapshot = false;           ///< all beams from the pose at the start of the scan, without times
+  double noise = 0.02;        ///< [m] deviation of a range
+  double outliers = 0.01;     ///< share of the beams that report a range of no surface
+  double mixed = 0.5;         ///< share of the beams across a depth edge that report a range between
+  double divergence = 0.003;  ///< [rad] full angle of the beam
+  double ghosts = 0.3;        ///< share of the beams on metal or glass that report what they mirror
+  double dropouts = 1.0;      ///< scale of the losses on grazed and glossy surfaces
+  bool quantize = true;       ///< ranges in whole steps of the sensor's packets
+  bool snapshot = false;      ///< all beams from the pose at the start of the scan, without times
 };
 
 template <class V>
@@ -49,8 +50,8 @@ inline constexpr double kEdgeReach = 0.05;  ///< [m] from an edge within which a
 std::span<const std::string_view> names_of(PointKind);
 
 struct LabelledScan {
-  Scan scan;                          ///< points in firing order; times are empty in a snapshot
-  std::vector<std::uint8_t> labels;   ///< one a point
+  Scan scan;                         ///< points in firing order; times are empty in a snapshot
+  std::vector<std::uint8_t> labels;  ///< one a point
 };
 
 /// Which scan of which sequence: the random numbers depend on these two and the beam alone.

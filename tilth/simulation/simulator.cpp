@@ -45,7 +45,9 @@ std::size_t Simulator::size() const {
   return std::size_t(std::floor((truth_.back().stamp - truth_.front().stamp) / lidar_.period + 1e-9));
 }
 
-double Simulator::stamp(std::size_t index) const { return truth_.front().stamp + double(index) * lidar_.period; }
+double Simulator::stamp(std::size_t index) const {
+  return truth_.front().stamp + double(index) * lidar_.period;
+}
 
 LabelledScan Simulator::scan(std::size_t index) const {
   return simulate_scan(*world_, lidar_, truth_, stamp(index), noise_, {seed_, index});

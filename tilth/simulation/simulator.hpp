@@ -28,11 +28,12 @@ void visit(SimulationOptions& o, V&& v) {
   visit(o.noise, v);
 }
 
-/// What a scene differs in from the plain defaults: corridor_rough its noise, street its sensor, the fast ones their speed.
-/// With `snapshot` the noise is that of Gazebo's sensors. Throws Error on an unknown scene.
+/// What a scene differs in from the plain defaults: corridor_rough its noise, street its sensor, the fast ones their
+/// speed. With `snapshot` the noise is that of Gazebo's sensors. Throws Error on an unknown scene.
 SimulationOptions simulation_defaults(std::string_view scene, bool snapshot);
 
-/// The options of `scene` with `values` set. Throws Error naming the key that is unknown, is no number or breaks its bounds.
+/// The options of `scene` with `values` set. Throws Error naming the key that is unknown, is no number or breaks its
+/// bounds.
 SimulationOptions simulation_options(std::string_view scene, const OptionValues& values);
 
 class Simulator {
@@ -40,9 +41,9 @@ class Simulator {
   /// Throws Error on an unknown scene or sensor.
   Simulator(std::string_view scene, const SimulationOptions& options);
 
-  std::size_t size() const;                       ///< scans in all
-  double stamp(std::size_t index) const;          ///< [s] of a scan's first firing
-  LabelledScan scan(std::size_t index) const;     ///< the same for the same options, in any order
+  std::size_t size() const;                           ///< scans in all
+  double stamp(std::size_t index) const;              ///< [s] of a scan's first firing
+  LabelledScan scan(std::size_t index) const;         ///< the same for the same options, in any order
   const Trajectory& truth() const { return truth_; }  ///< T_world_lidar at 200 Hz over all scans
   const LidarModel& lidar() const { return lidar_; }
   const MeshWorld& world() const { return *world_; }

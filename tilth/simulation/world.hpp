@@ -10,15 +10,15 @@
 namespace tilth {
 
 struct Ray {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();       ///< [m] in the world frame
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();   ///< of length 1
-  double time = 0.0;                                      ///< [s] at which the world is looked at
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();      ///< [m] in the world frame
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< of length 1
+  double time = 0.0;                                     ///< [s] at which the world is looked at
 };
 
 struct Hit {
-  double distance = std::numeric_limits<double>::infinity();  ///< [m]; infinite where nothing is met
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();            ///< of length 1, towards the ray's origin
-  const Surface* surface = nullptr;                            ///< nullptr where nothing is met
+  double distance = std::numeric_limits<double>::infinity();       ///< [m]; infinite where nothing is met
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();                ///< of length 1, towards the ray's origin
+  const Surface* surface = nullptr;                                ///< nullptr where nothing is met
   double edge_distance = std::numeric_limits<double>::infinity();  ///< [m] to the nearest side that bounds a structure
   bool moving = false;                                             ///< a person or a door leaf
 

@@ -1,0 +1,100 @@
+#include "recording_folder.hpp"
+
+#include <array>
+#include <cstdio>
+#include <system_error>
+
+#include <tilth/io/cloud_records.hpp>
+#include <tilth/io/kitti_bin.hpp>
+#include <tilth/io/output_file.hpp>
+#include <tilth/io/pcd.hpp>
+#include <tilth/io/trajectory_file.hpp>
+
+namespace tilth::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string numbered(std::size_t index, std::string_view ending) {
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "%06zu%s", index, std::string(ending).c_str());
+  return name.data();
+}
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw Error(folder.string(), "cannot be made: " + error.message());
+}
+
+/// ASCII PLY: every vertex, every triangle with the number of its surface; the surfaces' names as comments.
+std::string ply_of(const Mesh& mesh) {
+  std::string text = "ply\nformat ascii 1.0\n";
+  for (std::size_t i = 0; i < mesh.surfaces.size(); ++i) {
+    text += "comment surface " + std::to_string(i) + " " + mesh.surfaces[i].name + "\n";
+  }
+  text += "element vertex " + std::to_string(mesh.vertices.size()) + "\n";
+  text += "property float x\nproperty float y\nproperty float z\n";
+  text += "element face " + std::to_string(mesh.triangles.size()) + "\n";
+  text += "property list uchar int vertex_indices\nproperty ushort surface\nend_header\n";
+  std::array<char, 96> line{};
+  for (const Eigen::Vector3d& v : mesh.vertices) {
+    std::snprintf(line.data(), line.size(), "%.6g %.6g %.6g\n", v.x(), v.y(), v.z());
+    text += line.data();
+  }
+  for (const Triangle& t : mesh.triangles) {
+    std::snprintf(line.data(), line.size(), "3 %u %u %u %u\n", t.vertices[0], t.vertices[1], t.vertices[2], t.surface);
+    text += line.data();
+  }
+  return text;
+}
+
+}  // namespace
+
+ScanFormat scan_format(std::string_view name) {
+  if (name == "pcd") return ScanFormat::pcd;
+  if (name == "kitti") return ScanFormat::kitti;
+  throw Error("--format " + std::string(name), "is not known; there are pcd, kitti");
+}
+
+RecordingFolder::RecordingFolder(const fs::path& folder, ScanFormat format) : folder_(folder), format_(format) {
+  make_folder(folder / (format == ScanFormat::pcd ? "scans" : "velodyne"));
+  make_folder(folder / "labels");
+  make_folder(folder / "scene");
+}
+
+void RecordingFolder::write(std::size_t index, const LabelledScan& labelled) {
+  const PointRecords records = to_records(labelled.scan.cloud);
+  if (format_ == ScanFormat::pcd)
+    write_pcd(folder_ / "scans" / numbered(index, ".pcd"), records);
+  else
+    write_kitti_bin(folder_ / "velodyne" / numbered(index, ".bin"), records);
+  OutputFile labels(folder_ / "labels" / numbered(index, ".bin"));
+  labels.write(std::as_bytes(std::span(labelled.labels)));
+  labels.close();
+}
+
+void RecordingFolder::write_truth(const Simulator& simulator) {
+  std::string times;
+  std::array<char, 32> line{};
+  for (std::size_t i = 0; i < simulator.size(); ++i) {
+    std::snprintf(line.data(), line.size(), "%.9f\n", simulator.stamp(i));
+    times += line.data();
+  }
+  write_text(folder_ / "times.txt", times);
+  write_tum(folder_ / "truth.tum", simulator.truth());
+  write_text(folder_ / "scene" / "mesh.ply", ply_of(simulator.world().mesh()));
+}
+
+void RecordingFolder::write_recipe(std::string_view scene, const SimulationOptions& options) {
+  std::string text = "# tilth " TILTH_VERSION "; made again by:\ntilth simulate " + std::string(scene) + " --out DIR";
+  text += format_ == ScanFormat::pcd ? " --format pcd" : " --format kitti";
+  std::string table;
+  for (const OptionInfo& row : describe(options)) {
+    text += " --set " + row.key + "=" + row.value;
+    table += row.key + " = " + row.value + "  # [" + row.unit + "] " + row.meaning + "\n";
+  }
+  write_text(folder_ / "recipe.txt", text + "\n\n# every option\n" + table);
+}
+
+}  // namespace tilth::app
