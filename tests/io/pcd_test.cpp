@@ -162,7 +162,7 @@ TEST(Pcd, ErrorsNameFileFieldAndBound) {
   expect_error([] { parsed(header("1", "ascii") + "1 2 3 4 5 6 700 8\n"); }, {"line 12", "field intensity is '700'"});
   expect_error([] { parsed(header("1", "ascii") + "1 2 3 4 5 6 7 8\n1 2 3 4 5 6 7 8\n"); },
                {"line 13", "beyond the 1 POINTS"});
-  expect_error([] { parsed(header("many", "binary")); }, X);
+  expect_error([] { parsed(header("many", "binary")); }, {"POINTS is 'many'"});
   expect_error([] { parsed(header("1", "zip")); }, {"DATA is 'zip'"});
   expect_error([] { parsed("FIELDS x\nSIZE 4 4\nTYPE F\nPOINTS 1\nDATA ascii\n"); }, {"has 1 FIELDS but 2 SIZE"});
   expect_error([] { parsed("FIELDS x\nSIZE 3\nTYPE F\nPOINTS 1\nDATA ascii\n"); }, {"field x", "TYPE F with SIZE 3"});
