@@ -1,0 +1,23 @@
+# Verbs over the presets: `make <verb>`.
+.PHONY: build test bench format check docs demo
+
+build: ## the program: build/release/tilth
+	cmake --preset release && cmake --build build/release
+
+test: ## everything that scripts/test does
+	scripts/test
+
+bench: build ## time and accuracy, as the README's table has them
+	cmake --build build/release --target bench
+
+format: ## every C++ file
+	scripts/format
+
+check: ## what CI refuses without running a test: format and warnings
+	scripts/format --check && cmake --preset ci && cmake --build build/ci
+
+docs: build ## docs/options.md, from the program itself
+	scripts/docs
+
+demo: ## from nothing to a map
+	scripts/demo

@@ -1,0 +1,149 @@
+// Includes run down only: the table of the rooms as data, held against every #include line.
+#include <map>
+#include <regex>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "source_files.hpp"
+
+namespace tilth::house {
+namespace {
+
+/// What a room may include of the house, beside itself: rooms, or single headers of them.
+const std::map<std::string, std::set<std::string>> kMayInclude{
+    {"core", {}},
+    {"search", {"core"}},
+    {"sensor", {"core"}},
+    {"io", {"core"}},
+    {"evaluation", {"core"}},
+    {"preprocess", {"core", "search"}},
+    {"features", {"core", "sensor/lidar_model.hpp"}},
+    {"registration", {"core", "search"}},
+    {"map", {"core", "search"}},
+    {"simulation", {"core", "sensor/lidar_model.hpp"}},
+    {"output", {"core", "evaluation", "io"}},
+    {"odometry", {"core", "search", "sensor/lidar_model.hpp", "preprocess", "features", "registration", "map"}},
+    {"sources", {"core", "sensor", "io", "simulation"}},
+    {"slam", {"core", "search", "registration", "odometry/odometry.hpp"}},
+};
+
+/// Where alone a library's headers may stand: beginnings of paths.
+const std::map<std::string, std::vector<std::string>> kLibraryHome{
+    {"tbb/", {"tilth/core/parallel.hpp", "apps/"}},
+    {"hwy/", {"tilth/search/", "tilth/preprocess/"}},
+    {"nanoflann", {"tilth/search/kdtree"}},
+    {"embree", {"tilth/simulation/mesh_world.cpp"}},
+    {"yaml-cpp/", {"tilth/io/config_file.cpp"}},
+    {"lz4", {"tilth/io/"}},
+    {"bzlib", {"tilth/io/"}},
+    {"nlohmann/", {"tilth/output/", "apps/"}},
+    {"CLI/", {"apps/"}},
+    {"pcl/", {}},
+    {"ros/", {}},
+};
+
+/// Algorithm rooms are silent and blind: no file, no print, no clock, no thread.
+const std::set<std::string> kSilentRooms{"core",     "search",       "sensor", "evaluation", "preprocess",
+                                         "features", "registration", "map",    "simulation", "odometry"};
+const std::set<std::string> kLoudHeaders{"iostream",
+                                         "fstream",
+                                         "cstdio",
+                                         "stdio.h",
+                                         "print",
+                                         "filesystem",
+                                         "chrono",
+                                         "ctime",
+                                         "time.h",
+                                         "thread",
+                                         "mutex",
+                                         "future",
+                                         "atomic",
+                                         "unistd.h",
+                                         "csignal",
+                                         "random",
+                                         "condition_variable"};
+
+std::string room_of(const std::string& path) {
+  const std::size_t begin = path.find('/') + 1;
+  return path.substr(begin, path.find('/', begin) - begin);
+}
+
+TEST(IncludeDirection, RoomsSeeOnlyWhatStandsBelowThem) {
+  for (const SourceFile& file : source_files("tilth")) {
+    const std::string room = room_of(file.path);
+    ASSERT_TRUE(kMayInclude.contains(room)) << file.path << " stands in a room that the table does not know";
+    for (const std::string& include : includes_of(file.text)) {
+      if (!include.starts_with("tilth/")) continue;
+      const std::set<std::string>& allowed = kMayInclude.at(room);
+      const bool fine =
+          room_of(include) == room || allowed.contains(room_of(include)) || allowed.contains(include.substr(6));
+      EXPECT_TRUE(fine) << file.path << " includes " << include;
+    }
+  }
+}
+
+TEST(IncludeDirection, APipelineKnowsNoOther) {
+  const std::set<std::string> shared{"odometry", "motion_model", "make_odometry"};
+  for (const SourceFile& file : source_files("tilth/odometry")) {
+    const std::string stem = std::filesystem::path(file.path).stem().string();
+    if (stem == "make_odometry") continue;
+    for (const std::string& include : includes_of(file.text)) {
+      if (!include.starts_with("tilth/odometry/")) continue;
+      const std::string other = std::filesystem::path(include).stem().string();
+      EXPECT_TRUE(other == stem || shared.contains(other)) << file.path << " includes " << include;
+    }
+  }
+}
+
+TEST(IncludeDirection, LibrariesStayInTheirRooms) {
+  for (const char* folder : {"tilth", "apps"}) {
+    for (const SourceFile& file : source_files(folder)) {
+      for (const std::string& include : includes_of(file.text)) {
+        for (const auto& [library, homes] : kLibraryHome) {
+          if (!include.starts_with(library)) continue;
+          const bool at_home = std::any_of(homes.begin(), homes.end(),
+                                           [&](const std::string& home) { return file.path.starts_with(home); });
+          EXPECT_TRUE(at_home) << file.path << " includes " << include;
+        }
+      }
+    }
+  }
+}
+
+TEST(IncludeDirection, JsonIsNoPartOfAnInterface) {
+  for (const SourceFile& file : source_files("tilth")) {
+    if (!file.path.ends_with(".hpp")) continue;
+    for (const std::string& include : includes_of(file.text))
+      EXPECT_FALSE(include.starts_with("nlohmann/")) << file.path;
+  }
+}
+
+TEST(IncludeDirection, AlgorithmRoomsAreSilentAndBlind) {
+  for (const SourceFile& file : source_files("tilth")) {
+    if (!kSilentRooms.contains(room_of(file.path))) continue;
+    for (const std::string& include : includes_of(file.text)) {
+      EXPECT_FALSE(kLoudHeaders.contains(include)) << file.path << " includes " << include;
+    }
+  }
+}
+
+TEST(IncludeDirection, AlgorithmRoomsPrintNothing) {
+  const std::regex loud(R"(\b(printf|fprintf|puts|fputs|fopen|getenv|exit|abort)\s*\(|\bstd::(cout|cerr|clog)\b)");
+  for (const SourceFile& file : source_files("tilth")) {
+    if (!kSilentRooms.contains(room_of(file.path))) continue;
+    for (const std::string& line : lines_of(file.text))
+      EXPECT_FALSE(std::regex_search(line, loud)) << file.path << ": " << line;
+  }
+}
+
+TEST(IncludeDirection, NobodyIncludesTheApps) {
+  for (const SourceFile& file : source_files("tilth")) {
+    for (const std::string& include : includes_of(file.text)) {
+      EXPECT_FALSE(include.starts_with("apps/") || include.starts_with("../")) << file.path << " includes " << include;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tilth::house
