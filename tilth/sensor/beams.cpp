@@ -15,7 +15,8 @@ constexpr std::array kSmoothings{0.4 * kDegree, 0.2 * kDegree, 0.1 * kDegree,
                                  0.05 * kDegree};  ///< sigma, coarsest first
 constexpr double kValley = 0.6;                    ///< of the lower peak: a shallower valley parts no beams
 constexpr double kSmallestShare = 5e-4;            ///< of all points on a beam
-constexpr double kLargestSpread = 0.15;  ///< rms distance from the beam over the spacing; 0.29 where there are no beams
+constexpr double kLargestSpread = 0.15;            ///< rms distance from the beam over the spacing; 0.29 without beams
+constexpr double kNarrowShare = 0.95;              ///< of the points
 constexpr std::size_t kFewestBeams = 8, kMostBeams = 128;
 
 struct Histogram {
@@ -74,28 +75,34 @@ std::size_t nearest(std::span<const double> sorted, double value) {
   return value - sorted[i - 1] <= sorted[i] - value ? i - 1 : i;
 }
 
-struct Beams {
-  std::vector<double> elevations;
-  double spread = 1.0;  ///< rms distance of the points from their beam over the median spacing
-};
-
-Beams with_spread(std::span<const double> elevations, std::span<const double> centres) {
+/// Centres with points enough to be beams.
+std::vector<double> frequent(std::span<const double> elevations, std::span<const double> centres) {
   std::vector<std::size_t> count(centres.size(), 0);
   for (const double e : elevations) ++count[nearest(centres, e)];
-  Beams beams;
+  const double least = std::max(10.0, kSmallestShare * double(elevations.size()));
+  std::vector<double> beams;
   for (std::size_t b = 0; b < centres.size(); ++b) {
-    const double least = std::max(10.0, kSmallestShare * double(elevations.size()));
-    if (double(count[b]) >= least) beams.elevations.push_back(centres[b]);
+    if (double(count[b]) >= least) beams.push_back(centres[b]);
   }
-  if (beams.elevations.size() < kFewestBeams) return beams;
-  double sum = 0.0;
-  for (const double e : elevations) sum += std::pow(e - beams.elevations[nearest(beams.elevations, e)], 2);
-  std::vector<double> spacing;
-  for (std::size_t b = 1; b < beams.elevations.size(); ++b)
-    spacing.push_back(beams.elevations[b] - beams.elevations[b - 1]);
-  std::nth_element(spacing.begin(), spacing.begin() + std::ptrdiff_t(spacing.size() / 2), spacing.end());
-  beams.spread = std::sqrt(sum / double(elevations.size())) / spacing[spacing.size() / 2];
   return beams;
+}
+
+/// Share of the points on beams that are narrow beside the distance to the next beam.
+double share_on_narrow_beams(std::span<const double> elevations, std::span<const double> beams) {
+  std::vector<double> squares(beams.size(), 0.0);
+  std::vector<std::size_t> count(beams.size(), 0);
+  for (const double e : elevations) {
+    const std::size_t b = nearest(beams, e);
+    squares[b] += (e - beams[b]) * (e - beams[b]);
+    ++count[b];
+  }
+  std::size_t narrow = 0;
+  for (std::size_t b = 0; b < beams.size(); ++b) {
+    const double below = b > 0 ? beams[b] - beams[b - 1] : beams[b + 1] - beams[b];
+    const double above = b + 1 < beams.size() ? beams[b + 1] - beams[b] : below;
+    if (std::sqrt(squares[b] / double(count[b])) < kLargestSpread * std::min(below, above)) narrow += count[b];
+  }
+  return double(narrow) / double(elevations.size());
 }
 
 }  // namespace
@@ -111,9 +118,9 @@ std::vector<double> find_beams(std::span<const double> elevations) {
     const Histogram h = smoothed(raw, sigma);
     std::vector<double> centres;
     for (const std::size_t bin : peaks(h)) centres.push_back(h.centre(bin));
-    const Beams beams = with_spread(elevations, centres);
-    const std::size_t n = beams.elevations.size();
-    if (n >= kFewestBeams && n <= kMostBeams && beams.spread < kLargestSpread) return beams.elevations;
+    const std::vector<double> beams = frequent(elevations, centres);
+    if (beams.size() < kFewestBeams || beams.size() > kMostBeams) continue;
+    if (share_on_narrow_beams(elevations, beams) > kNarrowShare) return beams;
   }
   return {};
 }

@@ -6,9 +6,7 @@
 #include <tilth/core/error.hpp>
 #include <tilth/io/kitti_bin.hpp>
 #include <tilth/io/pcd.hpp>
-#if __has_include(<tilth/io/ply.hpp>)
 #include <tilth/io/ply.hpp>
-#endif
 #include <tilth/sources/folder_source.hpp>
 #include <tilth/sources/recorded_source.hpp>
 #include <tilth/sources/scan_files.hpp>
@@ -23,9 +21,7 @@ PointRecords read_scan_file(const fs::path& path) {
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
   if (extension == ".pcd") return read_pcd(path);
-#if __has_include(<tilth/io/ply.hpp>)
   if (extension == ".ply") return read_ply(path);
-#endif
   return read_kitti_bin(path);
 }
 

@@ -7,8 +7,7 @@
 #include <system_error>
 
 #include <tilth/core/error.hpp>
-#include <tilth/io/input_file.hpp>
-#include <tilth/io/text_lines.hpp>
+#include <tilth/io/times_file.hpp>
 #include <tilth/sources/scan_files.hpp>
 
 namespace tilth {
@@ -69,15 +68,6 @@ std::optional<std::vector<double>> times_in_names(const std::vector<fs::path>& f
     if (!time) return std::nullopt;
     times.push_back(*time);
   }
-  return times;
-}
-
-/// [s] one number a line.
-std::vector<double> read_times(const fs::path& path) {
-  const std::vector<std::byte> bytes = read_file(path);
-  TextLines lines(as_text(bytes));
-  std::vector<double> times;
-  while (const auto numbers = next_numbers(lines, path.string(), 1)) times.push_back(numbers->front());
   return times;
 }
 

@@ -1,0 +1,220 @@
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+#include <tilth/core/error.hpp>
+#include <tilth/sensor/point_cloud2.hpp>
+
+namespace tilth {
+namespace {
+
+/// FieldType by the datatype of the message, which counts from 1.
+constexpr std::array kTypes{FieldType::i8,  FieldType::u8,  FieldType::i16, FieldType::u16,
+                            FieldType::i32, FieldType::u32, FieldType::f32, FieldType::f64};
+constexpr std::size_t kMostFields = 1000;
+
+/// Takes little-endian values off the front of the message.
+class Reader {
+ public:
+  explicit Reader(std::span<const std::byte> bytes) : rest_(bytes) {}
+
+  std::span<const std::byte> bytes(std::size_t count, const char* field) {
+    if (count > rest_.size()) {
+      throw Error(std::string("PointCloud2 ") + field, "needs " + std::to_string(count) + " bytes, the message has " +
+                                                           std::to_string(rest_.size()) + " left");
+    }
+    const std::span<const std::byte> taken = rest_.first(count);
+    rest_ = rest_.subspan(count);
+    return taken;
+  }
+
+  template <class T>
+  T number(const char* field) {
+    const std::span<const std::byte> raw = bytes(sizeof(T), field);
+    T value = 0;
+    for (std::size_t i = sizeof(T); i-- > 0;)
+      value = T((std::uint64_t(value) << 8) | std::to_integer<std::uint64_t>(raw[i]));
+    return value;
+  }
+
+  std::string text(const char* field) {
+    const std::span<const std::byte> raw = bytes(number<std::uint32_t>(field), field);
+    return {reinterpret_cast<const char*>(raw.data()), raw.size()};
+  }
+
+ private:
+  std::span<const std::byte> rest_;
+};
+
+class Writer {
+ public:
+  template <class T>
+  void number(std::type_identity_t<T> value) {
+    for (std::size_t i = 0; i < sizeof(T); ++i) bytes_.push_back(std::byte(std::uint64_t(value) >> (8 * i)));
+  }
+  void text(std::string_view value) {
+    number<std::uint32_t>(std::uint32_t(value.size()));
+    for (const char c : value) bytes_.push_back(std::byte(c));
+  }
+  void bytes(std::span<const std::byte> value) { bytes_.insert(bytes_.end(), value.begin(), value.end()); }
+  std::vector<std::byte> take() { return std::move(bytes_); }
+
+ private:
+  std::vector<std::byte> bytes_;
+};
+
+std::optional<PointField> read_field(Reader& reader) {
+  PointField field;
+  field.name = reader.text("fields.name");
+  field.offset = reader.number<std::uint32_t>("fields.offset");
+  const unsigned type = reader.number<std::uint8_t>("fields.datatype");
+  const std::uint32_t count = reader.number<std::uint32_t>("fields.count");
+  if (type < 1 || type > kTypes.size()) {
+    throw Error("PointCloud2 field " + field.name, "datatype " + std::to_string(type) + " is none of 1 to 8");
+  }
+  field.type = kTypes[type - 1];
+  if (count == 0) return std::nullopt;
+  return field;
+}
+
+std::vector<PointField> read_fields(Reader& reader) {
+  const std::uint32_t count = reader.number<std::uint32_t>("fields");
+  if (count > kMostFields) throw Error("PointCloud2 fields", std::to_string(count) + " of them are more than 1000");
+  std::vector<PointField> fields;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (const std::optional<PointField> field = read_field(reader)) fields.push_back(*field);
+  }
+  return fields;
+}
+
+void check_layout(const PointRecords& records, std::uint64_t width, std::uint64_t row_step) {
+  for (const PointField& field : records.fields) {
+    if (field.offset + size_of(field.type) > records.stride) {
+      throw Error("PointCloud2 field " + field.name,
+                  "offset " + std::to_string(field.offset) + " with " + std::to_string(size_of(field.type)) +
+                      " bytes ends behind point_step " + std::to_string(records.stride));
+    }
+  }
+  if (width * records.stride > row_step) {
+    throw Error("PointCloud2 row_step", std::to_string(row_step) + " bytes hold no " + std::to_string(width) +
+                                            " points of " + std::to_string(records.stride) + " bytes");
+  }
+}
+
+/// The rows one after another, without the padding at their ends.
+std::vector<std::byte> packed_rows(std::span<const std::byte> data, std::uint64_t height, std::uint64_t row_bytes,
+                                   std::uint64_t row_step) {
+  std::vector<std::byte> bytes;
+  bytes.reserve(std::size_t(height * row_bytes));
+  for (std::uint64_t row = 0; row < height; ++row) {
+    const auto begin = data.begin() + std::ptrdiff_t(row * row_step);
+    bytes.insert(bytes.end(), begin, begin + std::ptrdiff_t(row_bytes));
+  }
+  return bytes;
+}
+
+std::uint8_t datatype_of(const PointField& field) {
+  for (std::size_t i = 0; i < kTypes.size(); ++i) {
+    if (kTypes[i] == field.type) return std::uint8_t(i + 1);
+  }
+  throw Error("PointCloud2 field " + field.name, "64 bit integers have no datatype in the message");
+}
+
+}  // namespace
+
+const std::string_view kPointCloud2Definition = R"(std_msgs/Header header
+uint32 height
+uint32 width
+sensor_msgs/PointField[] fields
+bool is_bigendian
+uint32 point_step
+uint32 row_step
+uint8[] data
+bool is_dense
+================================================================================
+MSG: std_msgs/Header
+uint32 seq
+time stamp
+string frame_id
+================================================================================
+MSG: sensor_msgs/PointField
+uint8 INT8=1
+uint8 UINT8=2
+uint8 INT16=3
+uint8 UINT16=4
+uint8 INT32=5
+uint8 UINT32=6
+uint8 FLOAT32=7
+uint8 FLOAT64=8
+string name
+uint32 offset
+uint8 datatype
+uint32 count
+)";
+
+PointCloud2 parse_point_cloud2(std::span<const std::byte> message) {
+  Reader reader(message);
+  PointCloud2 cloud;
+  reader.number<std::uint32_t>("header.seq");
+  const std::uint32_t seconds = reader.number<std::uint32_t>("header.stamp");
+  cloud.stamp = double(seconds) + 1e-9 * double(reader.number<std::uint32_t>("header.stamp"));
+  cloud.frame_id = reader.text("header.frame_id");
+  const std::uint64_t height = reader.number<std::uint32_t>("height");
+  const std::uint64_t width = reader.number<std::uint32_t>("width");
+  PointRecords& records = cloud.records;
+  records.fields = read_fields(reader);
+  records.byte_order = reader.number<std::uint8_t>("is_bigendian") != 0 ? std::endian::big : std::endian::little;
+  records.stride = reader.number<std::uint32_t>("point_step");
+  const std::uint64_t row_step = reader.number<std::uint32_t>("row_step");
+  const std::span<const std::byte> data = reader.bytes(reader.number<std::uint32_t>("data"), "data");
+
+  check_layout(records, width, height > 1 ? row_step : width * records.stride);
+  if (height * width == 0) return cloud;
+  const std::uint64_t row_bytes = width * records.stride;
+  const std::uint64_t needed = (height - 1) * row_step + row_bytes;
+  if (needed > data.size()) {
+    throw Error("PointCloud2 data", std::to_string(data.size()) + " bytes hold no " + std::to_string(height) + " x " +
+                                        std::to_string(width) + " points, which need " + std::to_string(needed));
+  }
+  records.count = std::size_t(height * width);
+  records.bytes = packed_rows(data, height, row_bytes, row_step);
+  return cloud;
+}
+
+std::vector<std::byte> serialize_point_cloud2(const PointCloud2& cloud) {
+  constexpr double limit = 4294967296.0;
+  const PointRecords& records = cloud.records;
+  const std::size_t size = records.count * records.stride;
+  if (!(cloud.stamp >= 0.0 && cloud.stamp < limit))
+    throw Error("PointCloud2 header.stamp", std::to_string(cloud.stamp) + " s lies outside [0, 2^32)");
+  if (double(size) >= limit) throw Error("PointCloud2 data", std::to_string(size) + " bytes are more than 2^32");
+  const std::uint64_t nanoseconds = std::uint64_t(std::floor(cloud.stamp)) * 1000000000u +
+                                    std::uint64_t(std::llround((cloud.stamp - std::floor(cloud.stamp)) * 1e9));
+  Writer writer;
+  writer.number<std::uint32_t>(0);
+  writer.number<std::uint32_t>(std::uint32_t(nanoseconds / 1000000000u));
+  writer.number<std::uint32_t>(std::uint32_t(nanoseconds % 1000000000u));
+  writer.text(cloud.frame_id);
+  writer.number<std::uint32_t>(1);
+  writer.number<std::uint32_t>(std::uint32_t(records.count));
+  writer.number<std::uint32_t>(std::uint32_t(records.fields.size()));
+  for (const PointField& field : records.fields) {
+    writer.text(field.name);
+    writer.number<std::uint32_t>(std::uint32_t(field.offset));
+    writer.number<std::uint8_t>(datatype_of(field));
+    writer.number<std::uint32_t>(1);
+  }
+  writer.number<std::uint8_t>(records.byte_order == std::endian::big ? 1 : 0);
+  writer.number<std::uint32_t>(std::uint32_t(records.stride));
+  writer.number<std::uint32_t>(std::uint32_t(size));
+  writer.number<std::uint32_t>(std::uint32_t(size));
+  writer.bytes(std::span(records.bytes).first(size));
+  writer.number<std::uint8_t>(0);
+  return writer.take();
+}
+
+}  // namespace tilth
