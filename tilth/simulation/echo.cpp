@@ -10,6 +10,7 @@ constexpr double kGrazing = 0.06;        // cosine of incidence below which a ma
 constexpr double kGlossyGrazing = 0.35;  // the same of a polished floor
 constexpr double kMetalGrazing = 0.5;    // the same of bare metal
 constexpr double kMixedGap = 0.15;       // [m] apart at least, to be taken for two surfaces
+constexpr double kSamePlane = 0.03;      // [m] from the tangent plane within which it is one surface after all
 constexpr double kStrayGap = 0.3;        // [m] of a stray range from the surface at least
 constexpr double kPaneReturn = 0.15;     // share of the beams that a pane of glass scatters back
 constexpr double kPastSurface = 1e-4;    // [m] by which a beam that goes on starts beyond
@@ -65,11 +66,13 @@ std::optional<Echo> onward_echo(const Onward& next, const Hit& hit, double befor
   return echo;
 }
 
-void mix(Echo& echo, const Hit& beside, const NoiseOptions& options, CounterRandom& random) {
-  if (!beside.met() || std::abs(beside.distance - echo.range) < kMixedGap) return;
-  if (!random.chance(options.mixed)) return;
+void mix(Echo& echo, const Sight& seen, const Sight& beside, const NoiseOptions& options, CounterRandom& random) {
+  if (!beside.hit.met() || std::abs(beside.hit.distance - echo.range) < kMixedGap) return;
+  const Eigen::Vector3d step = beside.point() - seen.point();
+  const bool same_plane = std::abs(step.dot(seen.hit.normal)) < kSamePlane;
+  if (same_plane || !random.chance(options.mixed)) return;
   const double share = random.uniform(0.1, 0.9);
-  echo.range += share * (beside.distance - echo.range);
+  echo.range += share * (beside.hit.distance - echo.range);
   echo.kind = PointKind::mixed;
 }
 

@@ -29,8 +29,16 @@ std::optional<Echo> echo_of(const Ray& ray, const Hit& hit, const NoiseOptions& 
 /// The echo after a mirror or a pane, as the receiver takes it: straight on, `before` [m] further.
 std::optional<Echo> onward_echo(const Onward& next, const Hit& hit, double before);
 
+/// A ray and what it meets.
+struct Sight {
+  const Ray& ray;
+  const Hit& hit;
+
+  Eigen::Vector3d point() const { return ray.origin + hit.distance * ray.direction; }
+};
+
 /// A range between the two that share the beam, where they lie far enough apart to be two surfaces.
-void mix(Echo& echo, const Hit& beside, const NoiseOptions& options, CounterRandom& random);
+void mix(Echo& echo, const Sight& seen, const Sight& beside, const NoiseOptions& options, CounterRandom& random);
 
 /// A range where nothing is: dust before the surface or a stray pulse behind it.
 void stray(Echo& echo, const NoiseOptions& options, CounterRandom& random);

@@ -96,8 +96,8 @@ std::vector<Hit> MeshWorld::cast(std::span<const Ray> rays) const {
   rtcIntersect1M(tree_->scene, &context, packet.data(), unsigned(packet.size()), sizeof(RTCRayHit));
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (packet[i].hit.geomID != RTC_INVALID_GEOMETRY_ID) hits[i] = hit_of(rays[i], packet[i].hit.primID);
-    tilth::cast(movers_, rays[i], hits[i]);
   }
+  tilth::cast(movers_, rays, hits);
   return hits;
 }
 

@@ -71,11 +71,7 @@ std::array<Capsule, 6> body_of(const Walker& walker, double time) {
           limb({0, 0, 0.91 * h}, {0, 0, 0.94 * h}, 0.1)};
 }
 
-void cast_walker(const Walker& walker, const Ray& ray, Hit& hit) {
-  const double reach = 0.6 * walker.height;
-  const Vector3d offset = pose_at(walker, ray.time) * Vector3d(0, 0, 0.5 * walker.height) - ray.origin;
-  const double along = offset.dot(ray.direction);
-  if (along < -reach || offset.squaredNorm() - along * along > reach * reach) return;
+void cast_one(const Walker& walker, const Ray& ray, Hit& hit) {
   for (const Capsule& part : body_of(walker, ray.time)) bring_nearer(hit, meet_capsule(ray, part), kPerson);
 }
 
@@ -94,13 +90,41 @@ std::optional<Meeting> meet_box(const Ray& ray, const Vector3d& low, const Vecto
   return Meeting{enter, normal};
 }
 
-void cast_door(const Door& door, const Ray& ray, Hit& hit) {
+void cast_one(const Door& door, const Ray& ray, Hit& hit) {
   const Pose T = pose_at(door, ray.time);
   const Pose T_door_world = T.inverse(Eigen::Isometry);
   const Ray local{T_door_world * ray.origin, T_door_world.linear() * ray.direction, ray.time};
   std::optional<Meeting> meeting = meet_box(local, {0, -kLeafThickness, 0.005}, {door.width, 0, door.height});
   if (meeting) meeting->normal = T.linear() * meeting->normal;
   bring_nearer(hit, meeting, kDoorLeaf);
+}
+
+struct Ball {
+  Vector3d center;
+  double radius;
+};
+
+/// Holds a mover for half a second before and after `time`.
+Ball ball_about(const Walker& walker, double time) {
+  const Vector3d center = pose_at(walker, time) * Vector3d(0, 0, 0.5 * walker.height);
+  return {center, 0.6 * walker.height + 0.5 * walker.speed};
+}
+
+Ball ball_about(const Door& door, double) {
+  return {door.hinge + Vector3d(0, 0, 0.5 * door.height), std::hypot(door.width, 0.5 * door.height) + kLeafThickness};
+}
+
+template <class Mover>
+void cast_near(const Mover& mover, std::span<const Ray> rays, std::span<Hit> hits) {
+  double time = rays.front().time;
+  Ball ball = ball_about(mover, time);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (std::abs(rays[i].time - time) > 0.5) time = rays[i].time, ball = ball_about(mover, time);
+    const Vector3d offset = ball.center - rays[i].origin;
+    const double along = offset.dot(rays[i].direction);
+    const bool far = along < -ball.radius || offset.squaredNorm() - along * along > ball.radius * ball.radius;
+    if (!far) cast_one(mover, rays[i], hits[i]);
+  }
 }
 
 double smooth_step(double x) {
@@ -135,9 +159,10 @@ Pose pose_at(const Door& door, double time) {
   return upright(door.hinge, door.closed_yaw + door.swing * open);
 }
 
-void cast(const Movers& movers, const Ray& ray, Hit& hit) {
-  for (const Walker& walker : movers.walkers) cast_walker(walker, ray, hit);
-  for (const Door& door : movers.doors) cast_door(door, ray, hit);
+void cast(const Movers& movers, std::span<const Ray> rays, std::span<Hit> hits) {
+  if (rays.empty()) return;
+  for (const Walker& walker : movers.walkers) cast_near(walker, rays, hits);
+  for (const Door& door : movers.doors) cast_near(door, rays, hits);
 }
 
 }  // namespace tilth

@@ -35,7 +35,8 @@ struct Movers {
 Pose pose_at(const Walker& walker, double time);  ///< of the feet, x forward
 Pose pose_at(const Door& door, double time);      ///< of the hinge, x along the leaf
 
-/// Brings `hit` nearer if `ray` meets a mover first.
-void cast(const Movers& movers, const Ray& ray, Hit& hit);
+/// Brings each hit nearer whose ray meets a mover first. A mover costs one dot product for a ray that passes it far
+/// off.
+void cast(const Movers& movers, std::span<const Ray> rays, std::span<Hit> hits);
 
 }  // namespace tilth

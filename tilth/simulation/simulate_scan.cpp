@@ -6,6 +6,7 @@
 
 #include <tilth/core/parallel.hpp>
 #include <tilth/simulation/echo.hpp>
+#include <tilth/simulation/pose_track.hpp>
 #include <tilth/simulation/simulate_scan.hpp>
 
 namespace tilth {
@@ -41,12 +42,12 @@ std::vector<std::size_t> rings_as_they_fire(const LidarModel& lidar) {
   return order;
 }
 
-Beam aim(const Setting& s, std::size_t column, std::size_t slot) {
+Beam aim(const Setting& s, PoseTrack& track, std::size_t column, std::size_t slot) {
   const std::size_t ring = s.ring_order[slot];
   const double fired = s.options.snapshot ? 0 : s.lidar.time_of(column, ring);
   const double turned = s.options.snapshot ? double(column) * s.lidar.period / double(s.lidar.columns) : fired;
   const Eigen::Vector3d direction = s.lidar.direction(ring, turned);
-  const Pose T_world_lidar = interpolate(s.trajectory, s.stamp + fired);
+  const Pose T_world_lidar = track.at(s.stamp + fired);
   return {ring,
           fired,
           direction,
@@ -55,10 +56,11 @@ Beam aim(const Setting& s, std::size_t column, std::size_t slot) {
 }
 
 std::vector<Beam> aim_columns(const Setting& s, std::size_t begin, std::size_t end) {
+  PoseTrack track(s.trajectory);
   std::vector<Beam> beams;
   beams.reserve((end - begin) * s.lidar.rings());
   for (std::size_t column = begin; column < end; ++column) {
-    for (std::size_t slot = 0; slot < s.lidar.rings(); ++slot) beams.push_back(aim(s, column, slot));
+    for (std::size_t slot = 0; slot < s.lidar.rings(); ++slot) beams.push_back(aim(s, track, column, slot));
   }
   return beams;
 }
@@ -72,19 +74,20 @@ Ray within_beam(const Ray& ray, double divergence, CounterRandom& random) {
   return {ray.origin, d.normalized(), ray.time};
 }
 
-std::vector<Hit> cast_beams(const Setting& s, const std::vector<Beam>& beams) {
-  std::vector<Ray> rays(beams.size());
-  std::transform(beams.begin(), beams.end(), rays.begin(), [](const Beam& beam) { return beam.ray; });
-  return s.world.cast(rays);
-}
+struct Cast {
+  std::vector<Ray> rays;
+  std::vector<Hit> hits;
 
-/// What else each beam touches: the same beam again, a little aside. Empty where no mixed pixels are asked for.
-std::vector<Hit> cast_beside(const Setting& s, std::vector<Beam>& beams) {
-  if (s.options.mixed == 0) return {};
-  std::vector<Ray> rays(beams.size());
-  std::transform(beams.begin(), beams.end(), rays.begin(),
-                 [&](Beam& beam) { return within_beam(beam.ray, s.options.divergence, beam.random); });
-  return s.world.cast(rays);
+  Sight at(std::size_t i) const { return {rays[i], hits[i]}; }
+};
+
+/// Casts one ray for each beam.
+template <class F>
+Cast cast_each(const World& world, std::vector<Beam>& beams, const F& ray_of) {
+  Cast cast{std::vector<Ray>(beams.size()), {}};
+  std::transform(beams.begin(), beams.end(), cast.rays.begin(), ray_of);
+  cast.hits = world.cast(cast.rays);
+  return cast;
 }
 
 /// Echoes of all beams, those mirrored or let through by a pane included.
@@ -120,14 +123,18 @@ void append_point(LabelledScan& out, const Setting& s, const Beam& beam, const E
 
 LabelledScan simulate_columns(const Setting& s, std::size_t begin, std::size_t end) {
   std::vector<Beam> beams = aim_columns(s, begin, end);
-  const std::vector<Hit> hits = cast_beams(s, beams);
-  const std::vector<Hit> beside = cast_beside(s, beams);
-  std::vector<std::optional<Echo>> echoes = echoes_of(s, beams, hits);
+  const Cast seen = cast_each(s.world, beams, [](const Beam& beam) { return beam.ray; });
+  Cast beside;
+  if (s.options.mixed > 0) {
+    const auto aside = [&](Beam& beam) { return within_beam(beam.ray, s.options.divergence, beam.random); };
+    beside = cast_each(s.world, beams, aside);
+  }
+  std::vector<std::optional<Echo>> echoes = echoes_of(s, beams, seen.hits);
   LabelledScan out;
   for (std::size_t i = 0; i < beams.size(); ++i) {
     if (!echoes[i]) continue;
-    const bool direct = echoes[i]->range == hits[i].distance;
-    if (direct && !beside.empty()) mix(*echoes[i], beside[i], s.options, beams[i].random);
+    const bool direct = echoes[i]->range == seen.hits[i].distance;
+    if (direct && s.options.mixed > 0) mix(*echoes[i], seen.at(i), beside.at(i), s.options, beams[i].random);
     stray(*echoes[i], s.options, beams[i].random);
     const std::optional<double> range = measured_range(*echoes[i], s.lidar, s.options, beams[i].random);
     if (range) append_point(out, s, beams[i], *echoes[i], *range);
