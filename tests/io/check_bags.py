@@ -30,9 +30,10 @@ def some_messages(count):
 
 def write_bag(path, messages, compression):
     store = get_typestore(Stores.ROS1_NOETIC)
-    with Writer(path) as writer:
-        if compression:
-            writer.set_compression(compression)
+    bag = Writer(path)
+    if compression:
+        bag.set_compression(compression)
+    with bag as writer:
         connections = {
             "/points": writer.add_connection("/points", CLOUD, typestore=store),
             "/log": writer.add_connection("/log", TEXT, typestore=store),

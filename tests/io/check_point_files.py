@@ -42,7 +42,7 @@ def expect_read(path, points):
 def check_pcd(folder, points):
     types = [numpy.dtype(kind).type for _, kind in FIELDS]
     cloud = pypcd4.PointCloud.from_points([points[name] for name, _ in FIELDS], [name for name, _ in FIELDS], types)
-    for encoding in pypcd4.Encoding:
+    for encoding in (pypcd4.Encoding.ASCII, pypcd4.Encoding.BINARY, pypcd4.Encoding.BINARY_COMPRESSED):
         path = folder / f"{encoding.name}.pcd"
         cloud.save(path, encoding=encoding)
         head = path.read_bytes()[:600]

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <tuple>
 
 #include <tilth/core/error.hpp>
 #include <tilth/io/rosbag1_chunk.hpp>
@@ -131,8 +132,9 @@ class Walk {
     std::erase_if(index_.messages, [&](const MessageEntry& entry) { return !connections_.contains(entry.connection); });
     for (const MessageEntry& entry : index_.messages) ++connections_.at(entry.connection).messages;
     for (const auto& [id, connection] : connections_) index_.connections.push_back(connection);
-    std::stable_sort(index_.messages.begin(), index_.messages.end(),
-                     [](const MessageEntry& a, const MessageEntry& b) { return a.stamp < b.stamp; });
+    const auto order = [](const MessageEntry& e) { return std::tuple(e.stamp, e.chunk, e.offset); };
+    std::sort(index_.messages.begin(), index_.messages.end(),
+              [&](const MessageEntry& a, const MessageEntry& b) { return order(a) < order(b); });
     return std::move(index_);
   }
 

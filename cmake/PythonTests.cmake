@@ -1,0 +1,21 @@
+# Tests in Python, which hold our programs against other people's: tilth_python_test(<name> <script> <argument>...)
+# The interpreter is that of the folder .venv, where scripts/ made one, else TILTH_PYTHON of the environment, else the
+# system's. A script returns 77 where a package is missing: the test counts as skipped (where CI=true the script fails).
+find_package(Python3 COMPONENTS Interpreter)
+
+function(tilth_python_test name script)
+  if(NOT BUILD_TESTING OR NOT Python3_Interpreter_FOUND)
+    return()
+  endif()
+  set(command
+      [[if [ -x "$0/.venv/bin/python" ]; then exec "$0/.venv/bin/python" "$@"; fi; exec "${TILTH_PYTHON:-$PYTHON3}" "$@"]])
+  add_test(NAME ${name} COMMAND sh -c "${command}" ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests/${script} ${ARGN})
+  set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "PYTHON3=${Python3_EXECUTABLE}")
+endfunction()
+
+if(BUILD_TESTING)
+  add_executable(tilth_format_probe ${PROJECT_SOURCE_DIR}/tests/io/format_probe.cpp)
+  tilth_link(tilth_format_probe io)
+  tilth_python_test(io_point_files io/check_point_files.py $<TARGET_FILE:tilth_format_probe>)
+  tilth_python_test(io_bags io/check_bags.py $<TARGET_FILE:tilth_format_probe>)
+endif()
