@@ -99,6 +99,12 @@ TEST(Pcd, OldHeadersAndSeveralElements) {
   EXPECT_EQ(values(records, "y")[0], -5);
 }
 
+TEST(Pcd, WidthAndHeightLeftZero) {
+  const std::string head = "FIELDS x\nSIZE 4\nTYPE F\nWIDTH 0\nHEIGHT 0\nPOINTS 2\nDATA ascii\n";
+  EXPECT_EQ(values(parsed(head + "3\n4\n"), "x"), (std::vector<double>{3, 4}));
+  expect_error([&] { parsed(head + "3\n"); }, {"has 1 of 2 points (truncated)"});
+}
+
 TEST(Pcd, WriteThenReadIsBitEqual) {
   const TemporaryFolder folder;
   const PointRecords points = parsed(kBinary);

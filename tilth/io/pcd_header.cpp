@@ -81,6 +81,7 @@ std::size_t points_of(const Header& header) {
   if (height != 0 && *width > std::numeric_limits<std::size_t>::max() / kMaxRecord / height) {
     throw Error(header.name, "has an absurd WIDTH times HEIGHT");
   }
+  if (points && *width * height == 0) return *points;  // some writers leave them 0
   if (points && *points != *width * height) {
     throw Error(header.name, "states POINTS " + std::to_string(*points) + " but WIDTH " + std::to_string(*width) +
                                  " times HEIGHT " + std::to_string(height));
