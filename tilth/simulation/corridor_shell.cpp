@@ -88,12 +88,13 @@ void add_corridor(Mesh& mesh, const Way& way, const CorridorStyle& style, const 
   const Look look = look_of(mesh, style);
   add_slabs(mesh, look.floor, way, style.half_width, 0);
   add_slabs(mesh, look.ceiling, way, style.half_width, style.height);
-  const Way corners = outline(way, style.half_width);
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector3d from = corners[i], to = corners[(i + 1) % corners.size()];
-    const WallSite site{from, to, std::atan2(to.y() - from.y(), to.x() - from.x())};
-    const auto bare_at = [&](double s) { return bare(arc_of(way, site.at(s))); };
-    add_corridor_wall(mesh, look, style, site, bare_at, opens, random);
+  for (const Way& corners : outlines(way, style.half_width)) {
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vector3d from = corners[i], to = corners[(i + 1) % corners.size()];
+      const WallSite site{from, to, std::atan2(to.y() - from.y(), to.x() - from.x())};
+      const auto bare_at = [&](double s) { return bare(arc_of(way, site.at(s))); };
+      add_corridor_wall(mesh, look, style, site, bare_at, opens, random);
+    }
   }
 }
 

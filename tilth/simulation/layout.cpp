@@ -10,6 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kPersonClear = 0.6;  // [m] between a person's axis and the sensor
+
 Vector3d heading_at(const Trajectory& trajectory, double stamp) {
   return interpolate(trajectory, stamp).linear().col(0);
 }
@@ -22,6 +24,17 @@ Vector3d left_of(const Vector3d& along) {
 Vector3d crossing(const Vector3d& p, const Vector3d& u, const Vector3d& q, const Vector3d& v) {
   const Vector3d across = left_of(v);
   return p + across.dot(q - p) / across.dot(u) * u;
+}
+
+bool ring(const Way& way) {
+  return way.size() > 3 && (way.front() - way.back()).norm() < 1e-6;
+}
+
+bool comes_near(const Walker& walker, const Trajectory& trajectory) {
+  return std::any_of(trajectory.begin(), trajectory.end(), [&](const StampedPose& pose) {
+    const Vector3d apart = pose_at(walker, pose.stamp).translation() - pose.T_world_lidar.translation();
+    return apart.head<2>().norm() < kPersonClear;
+  });
 }
 
 struct Nearest {
@@ -66,9 +79,12 @@ Way way_of(std::span<const Leg> legs) {
 
 Way offset(const Way& way, double left) {
   Way moved;
+  const std::size_t last = way.size() - 1;
   for (std::size_t i = 0; i < way.size(); ++i) {
-    const Vector3d in = (i > 0 ? way[i] - way[i - 1] : way[1] - way[0]).normalized();
-    const Vector3d out = (i + 1 < way.size() ? way[i + 1] - way[i] : in).normalized();
+    const std::size_t before = i > 0 ? i - 1 : ring(way) ? last - 1 : 0;
+    const std::size_t after = i < last ? i + 1 : ring(way) ? 1 : last;
+    const Vector3d in = (i == before ? way[1] - way[0] : way[i] - way[before]).normalized();
+    const Vector3d out = (i == after ? in : way[after] - way[i]).normalized();
     const Vector3d mitre = (left_of(in) + left_of(out)).normalized();
     moved.push_back(way[i] + left / mitre.dot(left_of(in)) * mitre);
   }
@@ -108,11 +124,15 @@ Way footprint(const Trajectory& trajectory) {
   return way;
 }
 
-Way outline(const Way& way, double half_width) {
-  Way closed = offset(way, -half_width);
-  const Way left = offset(way, half_width);
-  closed.insert(closed.end(), left.rbegin(), left.rend());
-  return closed;
+std::vector<Way> outlines(const Way& way, double half_width) {
+  Way right = offset(way, -half_width), left = offset(way, half_width);
+  std::reverse(left.begin(), left.end());
+  if (ring(way)) {
+    right.pop_back(), left.pop_back();
+    return {right, left};
+  }
+  right.insert(right.end(), left.begin(), left.end());
+  return {right};
 }
 
 Trajectory travel(std::span<const Leg> legs, const SceneOptions& options) {
@@ -139,6 +159,15 @@ std::vector<Walker> walkers_beside(const Way& way, int count, double beside, Cou
     walkers.push_back(std::move(walker));
   }
   return walkers;
+}
+
+std::vector<Walker> kept_clear(std::vector<Walker> walkers, const Trajectory& trajectory) {
+  std::vector<Walker> clear;
+  for (Walker& walker : walkers) {
+    for (int attempt = 0; attempt < 30 && comes_near(walker, trajectory); ++attempt) walker.start += 1.3;
+    if (!comes_near(walker, trajectory)) clear.push_back(std::move(walker));
+  }
+  return clear;
 }
 
 }  // namespace tilth

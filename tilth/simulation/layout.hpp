@@ -10,7 +10,7 @@
 
 namespace tilth {
 
-using Way = std::vector<Eigen::Vector3d>;  ///< corners on the floor, z = 0 [m]
+using Way = std::vector<Eigen::Vector3d>;  ///< corners on the floor, z = 0 [m]; a ring ends where it begins
 
 /// Start, the corner that each turning leg cuts, and end of a drive that starts at the origin along +x.
 Way way_of(std::span<const Leg> legs);
@@ -28,13 +28,17 @@ double distance_to(const Way& way, const Eigen::Vector3d& point);  ///< [m] in t
 /// The way that a trajectory took, a corner every 0.25 m, on the floor.
 Way footprint(const Trajectory& trajectory);
 
-/// Closed outline, counter-clockwise, of all that lies within `half_width` of the way; its first corner comes once.
-Way outline(const Way& way, double half_width);
+/// Closed outlines of all that lies within `half_width` of the way, that ground on their left; each first corner comes
+/// once. One outline, two of a ring.
+std::vector<Way> outlines(const Way& way, double half_width);
 
 /// The sensor's drive along `legs` with the scene's speed, wobble and vibration, cut at the scene's duration.
 Trajectory travel(std::span<const Leg> legs, const SceneOptions& options);
 
 /// People who walk to and fro `beside` [m] the way, alternately on its left and its right.
 std::vector<Walker> walkers_beside(const Way& way, int count, double beside, CounterRandom& random);
+
+/// The walkers set off so that none comes within 0.6 m of the sensor; who cannot is left out.
+std::vector<Walker> kept_clear(std::vector<Walker> walkers, const Trajectory& trajectory);
 
 }  // namespace tilth

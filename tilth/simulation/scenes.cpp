@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include <tilth/simulation/layout.hpp>
 #include <tilth/simulation/scenes.hpp>
 
 namespace tilth {
@@ -11,9 +12,10 @@ struct NamedScene {
   Scene (*make)(const SceneOptions&);
 };
 
-constexpr std::array kScenes{NamedScene{"corridor", corridor},       NamedScene{"corridor_fast", corridor},
-                             NamedScene{"corridor_rough", corridor}, NamedScene{"plaza", plaza},
-                             NamedScene{"plaza_fast", plaza},        NamedScene{"hospital", hospital}};
+constexpr std::array kScenes{
+    NamedScene{"corridor", corridor},     NamedScene{"corridor_fast", corridor}, NamedScene{"corridor_rough", corridor},
+    NamedScene{"plaza", plaza},           NamedScene{"plaza_fast", plaza},       NamedScene{"hospital", hospital},
+    NamedScene{"auditorium", auditorium}, NamedScene{"office", office},          NamedScene{"street", street}};
 
 constexpr auto kNames = [] {
   std::array<std::string_view, kScenes.size()> names{};
@@ -32,7 +34,9 @@ Scene make_scene(std::string_view name, const SceneOptions& options) {
   if (scene == kScenes.end()) {
     throw Error("scene " + std::string(name), "is not known; there are " + options_detail::joined(kNames));
   }
-  return scene->make(options);
+  Scene made = scene->make(options);
+  made.movers.walkers = kept_clear(std::move(made.movers.walkers), made.trajectory);
+  return made;
 }
 
 }  // namespace tilth

@@ -43,9 +43,12 @@ struct Scene {
   Trajectory trajectory;  ///< of the LiDAR in the world, 200 Hz, from time 0
 };
 
-Scene corridor(const SceneOptions& options);  ///< of a school: two right turns, doors, notice boards, bare stretches
-Scene plaza(const SceneOptions& options);     ///< before a building: paving, steps, trees, flower beds, facades
-Scene hospital(const SceneOptions& options);  ///< corridor with wards, beds, metal cabinets, doors that swing
+Scene corridor(const SceneOptions& options);    ///< of a school: two right turns, doors, notice boards, bare stretches
+Scene plaza(const SceneOptions& options);       ///< before a building: paving, steps, trees, flower beds, facades
+Scene hospital(const SceneOptions& options);    ///< corridor with wards, beds, metal cabinets, doors that swing
+Scene auditorium(const SceneOptions& options);  ///< hall with rising rows of seats and a stage
+Scene office(const SceneOptions& options);      ///< round trip past rooms with desks and shelves
+Scene street(const SceneOptions& options);      ///< houses, parked cars, trees and poles, at 8 m/s
 
 std::span<const std::string_view> scene_names();
 
