@@ -24,6 +24,9 @@ struct PipelineChoice {
 /// Adds --config and --set to a command. `arguments` must outlive it.
 void add_setting_arguments(CLI::App& command, OptionArguments& arguments);
 
+/// What "key=value" says, the last one of a key. Throws Error on what is no key=value.
+OptionValues parse_settings(const std::vector<std::string>& settings);
+
 /// A configuration file may name its pipeline (`pipeline: improved_floam`); the command line is stronger. Throws Error
 /// on a file that cannot be read and on a setting that is no key=value. Keys and bounds are checked by the pipeline.
 PipelineChoice choose_pipeline(const OptionArguments& arguments);

@@ -27,12 +27,6 @@ ScanRow row_of(const Scan& scan, const OdometryResult& result) {
   return row;
 }
 
-void demand_usable(const Scan& scan, const Trajectory& before) {
-  if (before.empty() || scan.stamp > before.back().stamp) return;
-  throw Error("stamp " + std::to_string(scan.stamp) + " s",
-              "does not come after the one before, " + std::to_string(before.back().stamp) + " s");
-}
-
 }  // namespace
 
 std::string to_text(RunEnd end) {
@@ -88,7 +82,6 @@ std::optional<Scan> RegistrationLoop::read() {
 
 bool RegistrationLoop::register_scan(const Scan& scan, double read_ms) {
   try {
-    demand_usable(scan, record_.trajectory);
     clock_.start();
     const OdometryResult result = odometry_.register_scan(scan);
     ScanRow row = row_of(scan, result);

