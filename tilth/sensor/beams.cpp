@@ -16,7 +16,8 @@ constexpr std::array kSmoothings{0.4 * kDegree, 0.2 * kDegree, 0.1 * kDegree,
 constexpr double kValley = 0.6;                    ///< of the lower peak: a shallower valley parts no beams
 constexpr double kSmallestShare = 5e-4;            ///< of all points on a beam
 constexpr double kLargestSpread = 0.15;            ///< rms distance from the beam over the spacing; 0.29 without beams
-constexpr double kNarrowShare = 0.95;              ///< of the points
+constexpr double kClearShare = 0.95;               ///< of the points on narrow beams: as good as it gets
+constexpr double kLeastShare = 0.8;                ///< where the lowest beams blur on near ground
 constexpr std::size_t kFewestBeams = 8, kMostBeams = 128;
 
 struct Histogram {
@@ -114,15 +115,22 @@ double elevation_of(const Eigen::Vector3d& point) {
 std::vector<double> find_beams(std::span<const double> elevations) {
   if (elevations.size() < kFewestBeams * 10) return {};
   const Histogram raw = histogram(elevations);
+  std::vector<double> best;
+  double best_share = kLeastShare;
   for (const double sigma : kSmoothings) {
     const Histogram h = smoothed(raw, sigma);
     std::vector<double> centres;
     for (const std::size_t bin : peaks(h)) centres.push_back(h.centre(bin));
     const std::vector<double> beams = frequent(elevations, centres);
     if (beams.size() < kFewestBeams || beams.size() > kMostBeams) continue;
-    if (share_on_narrow_beams(elevations, beams) > kNarrowShare) return beams;
+    const double share = share_on_narrow_beams(elevations, beams);
+    if (share > best_share) {
+      best_share = share;
+      best = beams;
+    }
+    if (share > kClearShare) break;
   }
-  return {};
+  return best;
 }
 
 std::vector<std::uint16_t> nearest_beams(std::span<const Eigen::Vector3d> points, std::span<const double> beams) {

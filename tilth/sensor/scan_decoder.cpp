@@ -98,6 +98,7 @@ void ScanDecoder::decide_spin(std::span<const MeasuredPoints> scans, std::span<c
   }
   const SpinDecision spin = measure_spin(sweeps, sweep_stamps, nominal_stamps);
   spin_period_ = spin.period;
+  cut_ = spin.cut;
   decisions_.push_back(spin.sentence);
 }
 
@@ -115,6 +116,7 @@ void ScanDecoder::set_times(MeasuredPoints& measured, double stamp, Scan& scan) 
   if (spin_period_) {
     if (const std::optional<Sweep> sweep = find_sweep(measured.points, scan.cloud.rings)) {
       const double rate = *spin_period_ / (2 * std::numbers::pi);
+      if (cut_) scan.stamp += delay_of_first(*sweep, *cut_, *spin_period_);
       scan.cloud.times.reserve(sweep->progress.size());
       for (const double angle : sweep->progress) scan.cloud.times.push_back(float(angle * rate));
     }

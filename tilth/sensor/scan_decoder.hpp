@@ -44,6 +44,7 @@ class ScanDecoder {
   std::optional<RingConvention> rings_;
   std::optional<TimeConvention> times_;
   std::optional<double> spin_period_;  ///< [s] where times are derived from the order of firing
+  std::optional<double> cut_;          ///< [rad] azimuth where the stamps stand, where all scans begin there
   std::vector<std::string> decisions_;
 };
 

@@ -12,11 +12,16 @@ namespace tilth {
 
 struct SpinDecision {
   std::optional<double> period;  ///< [s] of one turn; none: nothing tells it, point times cannot be derived
+  std::optional<double>
+      cut;  ///< [rad] azimuth where every scan begins and its stamp stands, if they all begin at the same
   std::string sentence;
 };
 
 /// `sweeps[k]` is the sweep of the scan stamped `stamps[k]` [s]; consecutive scans, at least one. Stamps are nominal
 /// where nobody recorded them.
 SpinDecision measure_spin(std::span<const Sweep> sweeps, std::span<const double> stamps, bool nominal_stamps);
+
+/// [s] from the stamp to the first point: more than 0 where the first returns after a fixed cut are missing.
+double delay_of_first(const Sweep& sweep, double cut, double period);
 
 }  // namespace tilth

@@ -5,10 +5,12 @@
 #include <tilth/sources/folder_source.hpp>
 #include <tilth/sources/open_source.hpp>
 #include <tilth/sources/scan_files.hpp>
+#include <tilth/sources/simulated_source.hpp>
 
 namespace tilth {
 
 std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOptions& options) {
+  if (uri.starts_with(kSimulatedScheme)) return open_simulation(uri);
   const std::filesystem::path path(uri);
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);

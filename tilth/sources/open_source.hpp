@@ -9,11 +9,12 @@
 namespace tilth {
 
 struct SourceOptions {
-  std::string topic;        ///< of a bag; empty: the only point cloud topic
-  double rate = 0.0;        ///< [Hz] of scans whose times are not recorded; 0: 10 Hz, and said so
+  std::string topic;  ///< of a bag; empty: the only point cloud topic
+  double rate = 0.0;  ///< [Hz] of scans whose times are not recorded; 0: 10 Hz, and said so
 };
 
-/// Opens a folder of scans, a KITTI sequence or a bag. Throws Error naming what is missing or not understood.
+/// Opens a folder of scans, a KITTI sequence, a bag or a simulation (sim://SCENE?key=value&...). Throws Error naming
+/// what is missing or not understood.
 std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOptions& options);
 
 }  // namespace tilth

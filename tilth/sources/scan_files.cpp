@@ -3,6 +3,7 @@
 #include <cctype>
 #include <charconv>
 #include <cstdio>
+#include <numeric>
 #include <optional>
 #include <system_error>
 
@@ -27,17 +28,6 @@ std::string_view take_number(std::string_view& text) {
   text.remove_prefix(number.size());
   number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
   return number;
-}
-
-std::vector<fs::path> scan_files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.is_regular_file() && is_scan_file(entry.path())) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return natural_less(a.filename().string(), b.filename().string());
-  });
-  return files;
 }
 
 /// [s] of one name, if it is a time.
@@ -69,6 +59,28 @@ std::optional<std::vector<double>> times_in_names(const std::vector<fs::path>& f
     times.push_back(*time);
   }
   return times;
+}
+
+/// In natural order, or in that of the times in their names ("9.5" before "9.25" as numbers of files, after it as
+/// times).
+std::vector<fs::path> scan_files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file() && is_scan_file(entry.path())) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    return natural_less(a.filename().string(), b.filename().string());
+  });
+  if (const auto times = times_in_names(files)) {
+    std::vector<std::size_t> order(files.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return (*times)[a] < (*times)[b]; });
+    std::vector<fs::path> by_time;
+    for (const std::size_t i : order) by_time.push_back(files[i]);
+    return by_time;
+  }
+  return files;
 }
 
 std::optional<ScanStamps> listed_stamps(const std::vector<fs::path>& files) {
