@@ -38,15 +38,14 @@ std::map<std::size_t, double> elevation_by_value(std::span<const MeasuredPoints>
   return medians;
 }
 
-std::vector<double> far_elevations(std::span<const MeasuredPoints> scans) {
-  std::vector<double> far, all;
+std::vector<double> elevations_beyond(double range, std::span<const MeasuredPoints> scans) {
+  std::vector<double> elevations;
   for (const MeasuredPoints& scan : scans) {
     for (const Eigen::Vector3d& p : scan.points) {
-      all.push_back(elevation_of(p));
-      if (p.norm() > kNear) far.push_back(all.back());
+      if (p.norm() > range) elevations.push_back(elevation_of(p));
     }
   }
-  return 2 * far.size() > all.size() ? far : all;
+  return elevations;
 }
 
 /// The rank by elevation of every value up to the largest; a value not seen takes the rank of the next lower one seen.
@@ -94,7 +93,8 @@ void RingConvention::decide_from_points(std::span<const MeasuredPoints> scans) {
     decision_ = "derived from the order of storage: " + std::to_string(rows->size()) + " rings one after another";
     return;
   }
-  beams_ = find_beams(far_elevations(scans));
+  beams_ = find_beams(elevations_beyond(0.0, scans));
+  if (beams_.empty()) beams_ = find_beams(elevations_beyond(kNear, scans));
   if (beams_.empty()) {
     decision_ = "and the points lie on no 8 to 128 distinct elevations: no rings";
     return;
