@@ -1,6 +1,8 @@
 #include "recording_folder.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <system_error>
 
@@ -9,11 +11,15 @@
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/trajectory_file.hpp>
+#include <tilth/sensor/point_cloud2.hpp>
 
 namespace tilth::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kTopic = "/points";
+constexpr std::array<std::string_view, 3> kFormats{"pcd", "kitti", "bag"};
 
 std::string numbered(std::size_t index, std::string_view ending) {
   std::array<char, 32> name{};
@@ -52,26 +58,38 @@ std::string ply_of(const Mesh& mesh) {
 }  // namespace
 
 ScanFormat scan_format(std::string_view name) {
-  if (name == "pcd") return ScanFormat::pcd;
-  if (name == "kitti") return ScanFormat::kitti;
-  throw Error("--format " + std::string(name), "is not known; there are pcd, kitti");
+  const auto format = std::find(kFormats.begin(), kFormats.end(), name);
+  if (format != kFormats.end()) return ScanFormat(format - kFormats.begin());
+  throw Error("--format " + std::string(name), "is not known; there are pcd, kitti, bag");
 }
 
 RecordingFolder::RecordingFolder(const fs::path& folder, ScanFormat format) : folder_(folder), format_(format) {
-  make_folder(folder / (format == ScanFormat::pcd ? "scans" : "velodyne"));
   make_folder(folder / "labels");
   make_folder(folder / "scene");
+  if (format == ScanFormat::pcd) make_folder(folder / "scans");
+  if (format == ScanFormat::kitti) make_folder(folder / "velodyne");
+  if (format != ScanFormat::bag) return;
+  bag_.emplace(folder / "scans.bag");
+  connection_ = bag_->add_connection({0, std::string(kTopic), std::string(kPointCloud2Type),
+                                      std::string(kPointCloud2Md5), std::string(kPointCloud2Definition), 0});
 }
 
 void RecordingFolder::write(std::size_t index, const LabelledScan& labelled) {
-  const PointRecords records = to_records(labelled.scan.cloud);
-  if (format_ == ScanFormat::pcd)
-    write_pcd(folder_ / "scans" / numbered(index, ".pcd"), records);
-  else
-    write_kitti_bin(folder_ / "velodyne" / numbered(index, ".bin"), records);
+  PointRecords records = to_records(labelled.scan.cloud);
+  if (format_ == ScanFormat::pcd) write_pcd(folder_ / "scans" / numbered(index, ".pcd"), records);
+  if (format_ == ScanFormat::kitti) write_kitti_bin(folder_ / "velodyne" / numbered(index, ".bin"), records);
+  if (format_ == ScanFormat::bag) {
+    const double stamp = labelled.scan.stamp;
+    const std::vector<std::byte> message = serialize_point_cloud2({stamp, "lidar", std::move(records)});
+    bag_->write(connection_, std::uint64_t(std::llround(stamp * 1e9)), message);
+  }
   OutputFile labels(folder_ / "labels" / numbered(index, ".bin"));
   labels.write(std::as_bytes(std::span(labelled.labels)));
   labels.close();
+}
+
+void RecordingFolder::close() {
+  if (bag_) bag_->close();
 }
 
 void RecordingFolder::write_truth(const Simulator& simulator) {
@@ -88,7 +106,7 @@ void RecordingFolder::write_truth(const Simulator& simulator) {
 
 void RecordingFolder::write_recipe(std::string_view scene, const SimulationOptions& options) {
   std::string text = "# tilth " TILTH_VERSION "; made again by:\ntilth simulate " + std::string(scene) + " --out DIR";
-  text += format_ == ScanFormat::pcd ? " --format pcd" : " --format kitti";
+  text += " --format " + std::string(kFormats[std::size_t(format_)]);
   std::string table;
   for (const OptionInfo& row : describe(options)) {
     text += " --set " + row.key + "=" + row.value;

@@ -1,4 +1,5 @@
 // tilth simulate: a scene becomes a recording with exact truth.
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -37,12 +38,14 @@ void simulate(const SimulateArguments& arguments) {
   folder.write_truth(simulator);
   Console console(arguments.quiet);
   for (std::size_t first = 0; first < simulator.size(); first += kScansAtOnce) {
-    const std::size_t count = std::min(kScansAtOnce, simulator.size() - first);
-    parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = first + begin; i < first + end; ++i) folder.write(i, simulator.scan(i));
+    std::vector<LabelledScan> scans(std::min(kScansAtOnce, simulator.size() - first));
+    parallel_for(scans.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) scans[i] = simulator.scan(first + i);
     });
-    console.progress(first + count, simulator.size());
+    for (std::size_t i = 0; i < scans.size(); ++i) folder.write(first + i, scans[i]);
+    console.progress(first + scans.size(), simulator.size());
   }
+  folder.close();
   console.clear_progress();
   console.note(std::to_string(simulator.size()) + " scans of " + arguments.scene + " in " + arguments.out);
 }
@@ -62,7 +65,7 @@ void add_simulate(CLI::App& app, int&) {
   for (const std::string_view name : scene_names()) scenes += (scenes.empty() ? "" : ", ") + std::string(name);
   command->add_option("scene", arguments->scene, "One of " + scenes)->required();
   command->add_option("--out", arguments->out, "Folder to write to")->required();
-  command->add_option("--format", arguments->format, "pcd (default) or kitti");
+  command->add_option("--format", arguments->format, "pcd (default), kitti or bag");
   command->add_option("--set", arguments->settings, "key=value: any option of the simulation (see docs/simulation.md)")
       ->allow_extra_args(false);
   add_setting(*command, *arguments, "sensor", "leishen_c16, vlp16, hdl32 or hdl64");

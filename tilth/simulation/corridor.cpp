@@ -12,7 +12,7 @@ constexpr std::uint64_t kStream = 0x10;
 
 /// Rest for 10 s, right turns at 50 s and 80 s, the peak of 1 m/s between them, a stop at 100 s.
 const std::vector<Leg> kLegs{{10, 0, 0},          {14, 0.45, 0}, {13, 0.55, 0},  {11.25, 0.42, 0},
-                             {3.5, 0.42, kRight}, {6, 0.6, 0},   {13, 1.0, 0},   {7.5, 0.5, 0},
+                             {3.5, 0.42, kRight}, {6, 0.55, 0},  {11, 1.0, 0},   {9.5, 0.5, 0},
                              {3.5, 0.42, kRight}, {12, 0.45, 0}, {3.25, 0.4, 0}, {3, 0, 0}};
 
 }  // namespace

@@ -76,9 +76,9 @@ void mix(Echo& echo, const Sight& seen, const Sight& beside, const NoiseOptions&
   echo.kind = PointKind::mixed;
 }
 
-void stray(Echo& echo, const NoiseOptions& options, CounterRandom& random) {
+void stray(Echo& echo, const Hit& seen, const NoiseOptions& options, CounterRandom& random) {
   if (!random.chance(options.outliers)) return;
-  const double surface = echo.range;
+  const double surface = seen.distance;
   echo.range = random.uniform(0, 2 * surface);
   if (std::abs(echo.range - surface) < kStrayGap) echo.range = surface + std::copysign(kStrayGap, echo.range - surface);
   echo.kind = PointKind::outlier;

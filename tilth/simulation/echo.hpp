@@ -40,8 +40,8 @@ struct Sight {
 /// A range between the two that share the beam, where they lie far enough apart to be two surfaces.
 void mix(Echo& echo, const Sight& seen, const Sight& beside, const NoiseOptions& options, CounterRandom& random);
 
-/// A range where nothing is: dust before the surface or a stray pulse behind it.
-void stray(Echo& echo, const NoiseOptions& options, CounterRandom& random);
+/// A range where nothing is: dust before the first surface met or a stray pulse behind it, 0.3 m off at least.
+void stray(Echo& echo, const Hit& seen, const NoiseOptions& options, CounterRandom& random);
 
 /// Noise and the packets' step; nothing where the range falls outside what the sensor reports.
 std::optional<double> measured_range(const Echo& echo, const LidarModel& lidar, const NoiseOptions& options,

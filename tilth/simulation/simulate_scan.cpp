@@ -135,7 +135,7 @@ LabelledScan simulate_columns(const Setting& s, std::size_t begin, std::size_t e
     if (!echoes[i]) continue;
     const bool direct = echoes[i]->range == seen.hits[i].distance;
     if (direct && s.options.mixed > 0) mix(*echoes[i], seen.at(i), beside.at(i), s.options, beams[i].random);
-    stray(*echoes[i], s.options, beams[i].random);
+    stray(*echoes[i], seen.hits[i], s.options, beams[i].random);
     const std::optional<double> range = measured_range(*echoes[i], s.lidar, s.options, beams[i].random);
     if (range) append_point(out, s, beams[i], *echoes[i], *range);
   }

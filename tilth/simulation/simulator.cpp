@@ -42,11 +42,12 @@ Simulator::Simulator(std::string_view scene, const SimulationOptions& options)
 }
 
 std::size_t Simulator::size() const {
-  return std::size_t(std::floor((truth_.back().stamp - truth_.front().stamp) / lidar_.period + 1e-9));
+  const double turns = std::floor((truth_.back().stamp - truth_.front().stamp) / lidar_.period + 1e-9);
+  return turns < 1 ? 0 : std::size_t(turns) - 1;
 }
 
 double Simulator::stamp(std::size_t index) const {
-  return truth_.front().stamp + double(index) * lidar_.period;
+  return truth_.front().stamp + double(index + 1) * lidar_.period;
 }
 
 LabelledScan Simulator::scan(std::size_t index) const {

@@ -41,8 +41,8 @@ class Simulator {
   /// Throws Error on an unknown scene or sensor.
   Simulator(std::string_view scene, const SimulationOptions& options);
 
-  std::size_t size() const;                           ///< scans in all
-  double stamp(std::size_t index) const;              ///< [s] of a scan's first firing
+  std::size_t size() const;               ///< scans in all
+  double stamp(std::size_t index) const;  ///< [s] of a scan's first firing; one turn at index 0, as 0 is no time in ROS
   LabelledScan scan(std::size_t index) const;         ///< the same for the same options, in any order
   const Trajectory& truth() const { return truth_; }  ///< T_world_lidar at 200 Hz over all scans
   const LidarModel& lidar() const { return lidar_; }
