@@ -76,10 +76,10 @@ RunEnd register_all(const RunArguments& arguments, const PipelineChoice& choice,
 }
 
 /// Evaluates the run; what prevents that is returned, one sentence each. Whatever the truth's own frame, the run's
-/// world is its first LiDAR pose: so the two are aligned.
+/// world is its first LiDAR pose: so the first poses are made equal.
 std::vector<std::string> judge(const PoseFile& truth, RunRecord& record) {
   EvaluationOptions options;
-  options.align = Alignment::se3;
+  options.align = Alignment::origin;
   const auto judged = truth.has_stamps ? &evaluate : &evaluate_by_index;
   try {
     record.evaluation = judged(truth.trajectory, record.trajectory, options);
@@ -124,7 +124,7 @@ void add_input_options(CLI::App& command, RunArguments& a) {
 void add_output_options(CLI::App& command, RunArguments& a) {
   command.add_option("--out", a.out, "folder for the results; made where missing")->required();
   add_option_flags(command, describe(MapOptions{}), a.map);
-  command.add_option("--truth", a.truth, "true trajectory (TUM or KITTI) to judge the run by, aligned rigidly");
+  command.add_option("--truth", a.truth, "true trajectory (TUM or KITTI) to judge the run by, first poses made equal");
   command.add_flag("--quiet", a.quiet, "print errors only");
 }
 

@@ -12,7 +12,7 @@ constexpr int kDigits = 9;
 
 void write_header(std::ostream& out, const std::vector<std::string>& stages) {
   out << "index,stamp,points_read,points_in,outliers,edges,planes,candidates,matches,iterations,converged,error,"
-         "degenerate_directions,var_rx,var_ry,var_rz,var_tx,var_ty,var_tz,ms_read,ms_register,ms_map";
+         "degenerate_directions,var_rx,var_ry,var_rz,var_tx,var_ty,var_tz,ms_read,ms_register,ms_build_map";
   for (const std::string& stage : stages) out << ",ms_" << stage;
   out << '\n';
 }

@@ -33,7 +33,7 @@ Json milliseconds(const ScanTable& table) {
   }
   return {{"register", over_scans(table, [](const ScanRow& row) { return row.register_ms; })},
           {"read", over_scans(table, [](const ScanRow& row) { return row.read_ms; })},
-          {"map", over_scans(table, [](const ScanRow& row) { return row.map_ms; })},
+          {"build_map", over_scans(table, [](const ScanRow& row) { return row.map_ms; })},
           {"stages", std::move(stages)}};
 }
 
