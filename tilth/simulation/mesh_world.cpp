@@ -34,17 +34,25 @@ RTCRayHit to_embree(const Ray& ray) {
   return out;
 }
 
-double distance_to_line(const Vector3d& point, const Vector3d& a, const Vector3d& b) {
-  return (point - a).cross(b - a).norm() / (b - a).norm();
-}
-
 }  // namespace
+
+MeshWorld::Facet MeshWorld::facet_of(const Mesh& mesh, const Triangle& triangle) {
+  const auto vertex = [&](std::size_t i) -> const Vector3d& { return mesh.vertices[triangle.vertices[i % 3]]; };
+  Facet facet;
+  facet.normal = (vertex(1) - vertex(0)).cross(vertex(2) - vertex(0)).normalized();
+  facet.offset = facet.normal.dot(vertex(0));
+  for (std::size_t i = 0; i < 3; ++i) {
+    facet.sides[i] = facet.normal.cross(vertex(i + 1) - vertex(i)).normalized();
+    facet.side_offsets[i] = facet.sides[i].dot(vertex(i));
+  }
+  return facet;
+}
 
 struct MeshWorld::Tree {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
 
-  explicit Tree(const Mesh& mesh) : device(rtcNewDevice("threads=1")), scene(rtcNewScene(device)) {
+  explicit Tree(const Mesh& mesh) : device(rtcNewDevice(nullptr)), scene(rtcNewScene(device)) {
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
     RTCGeometry geometry = geometry_of(device, mesh);
     rtcAttachGeometry(scene, geometry);
@@ -61,6 +69,7 @@ struct MeshWorld::Tree {
 
 MeshWorld::MeshWorld(Mesh mesh, Movers movers) : mesh_(std::move(mesh)), movers_(std::move(movers)) {
   if (mesh_.triangles.empty()) throw Error("scene", "has no triangle");
+  for (const Triangle& triangle : mesh_.triangles) facets_.push_back(facet_of(mesh_, triangle));
   tree_ = std::make_unique<Tree>(mesh_);
 }
 
@@ -68,19 +77,17 @@ MeshWorld::~MeshWorld() = default;
 
 /// Embree finds the triangle in float; where the ray meets it is worked out in double.
 Hit MeshWorld::hit_of(const Ray& ray, std::uint32_t triangle) const {
-  const Triangle& t = mesh_.triangles[triangle];
-  const std::array<Vector3d, 3> v{mesh_.vertices[t.vertices[0]], mesh_.vertices[t.vertices[1]],
-                                  mesh_.vertices[t.vertices[2]]};
+  const Facet& facet = facets_[triangle];
   Hit hit;
-  hit.normal = (v[1] - v[0]).cross(v[2] - v[0]).normalized();
-  if (hit.normal.dot(ray.direction) > 0) hit.normal = -hit.normal;
-  hit.distance = (v[0] - ray.origin).dot(hit.normal) / ray.direction.dot(hit.normal);
-  hit.surface = &mesh_.surfaces[t.surface];
+  hit.surface = &mesh_.surfaces[mesh_.triangles[triangle].surface];
+  const double slope = ray.direction.dot(facet.normal);
+  hit.normal = slope > 0 ? -facet.normal : facet.normal;
+  hit.distance = (facet.offset - ray.origin.dot(facet.normal)) / slope;
   if (hit.surface->slender) hit.edge_distance = 0;
   const Vector3d point = ray.origin + hit.distance * ray.direction;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!(t.edges >> i & 1)) continue;
-    hit.edge_distance = std::min(hit.edge_distance, distance_to_line(point, v[i], v[(i + 1) % 3]));
+    if (!(mesh_.triangles[triangle].edges >> i & 1)) continue;
+    hit.edge_distance = std::min(hit.edge_distance, std::abs(point.dot(facet.sides[i]) - facet.side_offsets[i]));
   }
   return hit;
 }

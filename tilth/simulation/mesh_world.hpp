@@ -21,11 +21,19 @@ class MeshWorld : public World {
   const Movers& movers() const { return movers_; }
 
  private:
-  struct Tree;  // Embree's scene
+  struct Tree;    // Embree's scene
+  struct Facet {  // a triangle's plane, and the planes through its sides at right angles to it: n . p = offset
+    Eigen::Vector3d normal;
+    double offset;
+    std::array<Eigen::Vector3d, 3> sides;
+    std::array<double, 3> side_offsets;
+  };
+  static Facet facet_of(const Mesh& mesh, const Triangle& triangle);
   Hit hit_of(const Ray& ray, std::uint32_t triangle) const;
 
   Mesh mesh_;
   Movers movers_;
+  std::vector<Facet> facets_;
   std::unique_ptr<Tree> tree_;
 };
 
