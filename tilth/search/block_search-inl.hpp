@@ -9,6 +9,9 @@
 #endif
 
 #include <algorithm>
+#include <bit>
+#include <limits>
+#include <utility>
 
 #include <hwy/highway.h>
 
@@ -24,13 +27,13 @@ namespace {
 template <std::size_t kKept>
 class BlockSearch {
  public:
-  BlockSearch(const RingLayout& layout, NeighborTable& table) : l_(layout), table_(table), lone_(layout, table) {}
+  BlockSearch(const RingLayout& layout, SearchBuffers& buffers, NeighborTable& table)
+      : l_(layout), table_(table), lone_(layout, buffers, table) {}
 
-  void enter_ring(std::uint32_t ring) { ring_ = ring; }
-
-  /// Finds the neighbours of points i, i + 1, ... of the ring, as many as there are lanes.
-  HWY_INLINE void search_block(std::uint32_t i) {
-    const Ring& ring = l_.rings[ring_];
+  /// Finds the neighbours of points i, i + 1, ... of a ring, as many as there are lanes.
+  HWY_INLINE void search_block(std::uint32_t r, std::uint32_t i) {
+    ring_ = r;
+    const Ring& ring = l_.rings[r];
     const std::uint32_t slot = ring.begin + i;
     const std::uint32_t lanes = std::min(kLanes, ring.count - i);
     if (ring.count <= kKept) return search_alone(slot, lanes);
@@ -38,10 +41,12 @@ class BlockSearch {
     search_own_ring(b);
     const float azimuth = l_.azimuth[slot + lanes / 2];
     const auto own = l_.rings.begin() + ring_;
-    for (auto r = own + 1; r != l_.rings.end() && reaches(b, r->lowest_above, kZenith); ++r)
-      search_ring(b, *r, azimuth);
-    for (auto r = own; r != l_.rings.begin() && reaches(b, kNadir, (r - 1)->highest_below); --r)
-      search_ring(b, *(r - 1), azimuth);
+    for (auto q = own + 1; q != l_.rings.end() && reaches(b, q->lowest_above, kZenith); ++q) {
+      search_ring(b, *q, azimuth);
+    }
+    for (auto q = own; q != l_.rings.begin() && reaches(b, kNadir, (q - 1)->highest_below); --q) {
+      search_ring(b, *(q - 1), azimuth);
+    }
     write_rows(b, lanes);
   }
 
@@ -52,11 +57,13 @@ class BlockSearch {
   using Ints = hn::Vec<DI>;
   using Mask = hn::Mask<D>;
   static constexpr std::uint32_t kLanes = HWY_LANES(float);
-  static constexpr std::uint32_t kMostCandidates = kNumberBits;  // one number less: no key equals a limit
-  static constexpr std::uint32_t kPatience = kKept / 2 + 4;      // offsets after which a few lanes are left alone
-  static constexpr std::uint32_t kReach = kKept / 2 + 24;        // offsets after which all are
-  static constexpr std::size_t kFewLanes = kLanes / 4;
-  static constexpr Elevation kZenith{1.0f, 0.0f}, kNadir{-1.0f, 0.0f};
+  static constexpr std::uint32_t kMostCandidates = kNumberBits - 2;  // no key equals a limit
+  static constexpr std::size_t kWanted =
+      kKept - 2;  // a key more shows ties, another leaves fewer of them to be settled
+  static constexpr std::uint32_t kPatience = kKept / 2 + 10;  // offsets after which a few lanes are left alone
+  static constexpr std::uint32_t kReach = kKept / 2 + 24;     // offsets after which all are
+  static constexpr std::size_t kFewLanes = kLanes / 8;
+  static constexpr Elevation kZenith{1.5707964f, 1.0f, 0.0f}, kNadir{-1.5707964f, -1.0f, 0.0f};
 
   struct Block {
     Queries<D> queries;
@@ -79,7 +86,7 @@ class BlockSearch {
   }
 
   HWY_INLINE void renew_limit(Block& b) {
-    const Ints farthest = hn::Or(b.keys[kKept - 3], hn::Set(DI(), kNumberBits));
+    const Ints farthest = hn::Or(b.keys[kWanted - 1], hn::Set(DI(), kNumberBits));
     b.limit = hn::IfThenElseZero(hn::RebindMask(DI(), b.active), farthest);
   }
 
@@ -87,6 +94,14 @@ class BlockSearch {
     const Ints key = key_of(b, slot);
     if (hn::AllFalse(DI(), hn::Lt(key, b.limit))) return;
     insert_key(b.keys, key);
+    renew_limit(b);
+  }
+
+  HWY_INLINE void add_two(Block& b, std::uint32_t first, std::uint32_t second) {
+    const Ints key1 = key_of(b, first), key2 = key_of(b, second);
+    if (hn::AllFalse(DI(), hn::Lt(hn::Min(key1, key2), b.limit))) return;
+    insert_key(b.keys, key1);
+    insert_key(b.keys, key2);
     renew_limit(b);
   }
 
@@ -102,37 +117,38 @@ class BlockSearch {
   HWY_INLINE bool go_on(Block& b, Mask open, std::uint32_t seen) {
     if (hn::AllFalse(D(), open)) return false;
     const bool few = seen > kPatience && hn::CountTrue(D(), open) <= kFewLanes;
-    if (!few && seen < kReach && b.count < kMostCandidates) return true;
+    if (!few && seen < kReach && b.count + 3 < kMostCandidates) return true;
     leave(b, open);
     return false;
   }
 
+  template <std::size_t... i>
+  HWY_INLINE void fill_keys(Block& b, std::index_sequence<i...>) {
+    ((b.keys[2 * i] = key_of(b, b.slot + i + 1), b.keys[2 * i + 1] = key_of(b, b.slot - i - 1)), ...);
+  }
+
   HWY_INLINE void search_own_ring(Block& b) {
-    const std::uint32_t count = l_.rings[ring_].count;
     constexpr std::uint32_t kFirst = kKept / 2;
-    const auto fill = [&]<std::size_t... i>(std::index_sequence<i...>) HWY_ATTR {
-      ((b.keys[2 * i] = key_of(b, b.slot + i + 1), b.keys[2 * i + 1] = key_of(b, b.slot - i - 1)), ...);
-    };
-    fill(std::make_index_sequence<kFirst>());
+    fill_keys(b, std::make_index_sequence<kFirst>());
     sort_keys(b.keys);
     renew_limit(b);
-    expand(b, b.slot, kFirst, count, nullptr);
+    expand(b, b.slot, kFirst, l_.rings[ring_].count, nullptr);
   }
 
   // Looks at the offsets beyond `seen` from `slot`, on each side until the bound closes it.
   HWY_INLINE void expand(Block& b, std::uint32_t slot, std::uint32_t seen, std::uint32_t count, const Ring* other) {
     std::uint32_t left = seen, right = seen;
     bool left_open = true, right_open = true;
-    while ((left_open || right_open) && left + right + 1 < count) {
-      if (right_open) {
-        right_open = go_on(b, open_lanes(b, side_bound<1>(D(), b.queries, l_, slot + right + 1, other)), right);
-        if (right_open) add(b, slot + ++right);
-      }
-      if (left_open && left + right + 1 < count) {
-        left_open = go_on(b, open_lanes(b, side_bound<-1>(D(), b.queries, l_, slot - left - 1, other)), left);
-        if (left_open) add(b, slot - ++left);
-      }
+    while ((left_open || right_open) && left + right + 2 < count) {
+      right_open =
+          right_open && go_on(b, open_lanes(b, side_bound<1>(D(), b.queries, l_, slot + right + 1, other)), right);
+      if (right_open) add_two(b, slot + right + 1, slot + right + 2), right += 2;
+      if (left + right + 2 >= count) break;
+      left_open =
+          left_open && go_on(b, open_lanes(b, side_bound<-1>(D(), b.queries, l_, slot - left - 1, other)), left);
+      if (left_open) add_two(b, slot - left - 1, slot - left - 2), left += 2;
     }
+    if ((left_open || right_open) && left + right + 2 == count) add(b, slot + right + 1);
   }
 
   // True if a lane may have neighbours among elevations between `low` and `high`.
@@ -144,34 +160,59 @@ class BlockSearch {
   HWY_INLINE void search_ring(Block& b, const Ring& ring, float azimuth) {
     if (!reaches(b, ring.low, ring.high)) return;
     const std::uint32_t slot = lone_.locate(ring, azimuth) - kLanes / 2;
-    if (b.count == kMostCandidates) return leave(b, b.active);
+    if (b.count + 3 >= kMostCandidates) return leave(b, b.active);
     add(b, slot);
     expand(b, slot, 0, ring.count, &ring);
   }
 
   void search_alone(std::uint32_t slot, std::uint32_t lanes) {
-    for (std::uint32_t i = 0; i < lanes; ++i) lone_.search(ring_, slot + i);
+    for (std::uint32_t i = 0; i < lanes; ++i) lone_.search(ring_, slot + i, std::numeric_limits<float>::infinity());
+  }
+
+  // Its k-th key bounds what the lane still looks for.
+  void search_lane(std::uint32_t slot, std::uint32_t lane) {
+    lone_.search(ring_, slot, std::bit_cast<float>(keys_[(table_.k - 1) * kLanes + lane] | kNumberBits));
   }
 
   HWY_INLINE void write_rows(const Block& b, std::uint32_t lanes) {
-    for (std::size_t j = 0; j < kKept; ++j) hn::Store(b.keys[j], DI(), keys_ + j * kLanes);
-    std::uint8_t active[8] = {};
-    hn::StoreMaskBits(D(), b.active, active);
-    const std::uint32_t bits = active[0] | std::uint32_t(active[1]) << 8;
+    HWY_UNROLL(64) for (std::size_t j = 0; j < kKept; ++j) hn::Store(b.keys[j], DI(), keys_ + j * kLanes);
+    const std::uint32_t active = lane_bits(D(), b.active), ties = lanes_with_ties<kWanted + 1>(DI(), b.keys);
     for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-      if ((bits >> lane & 1) == 0 || !write_row(b.slot + lane, lane)) lone_.search(ring_, b.slot + lane);
+      const std::uint32_t slot = b.slot + lane;
+      if ((active >> lane & 1) == 0) {
+        search_lane(slot, lane);
+      } else if ((ties >> lane & 1) != 0) {
+        if (!write_row_with_ties(slot, lane)) search_lane(slot, lane);
+      } else if (table_.k == kWanted) {
+        write_row(slot, lane, kWanted);
+      } else {
+        write_row(slot, lane, table_.k);
+      }
+    }
+  }
+
+  HWY_INLINE void write_row(std::uint32_t slot, std::uint32_t lane, std::size_t k) {
+    const Row row = lone_.row(slot);
+    float* HWY_RESTRICT const row_distances = row.distances;
+    std::uint32_t* HWY_RESTRICT const row_indices = row.indices;
+    const std::int32_t* HWY_RESTRICT const keys = keys_ + lane;
+    const float* HWY_RESTRICT const distances = distances_ + lane;
+    const std::uint32_t* HWY_RESTRICT const slots = slots_;
+    const std::uint32_t* HWY_RESTRICT const index = l_.index.data() + lane;
+    for (std::size_t j = 0; j < k; ++j) {
+      const std::uint32_t number = std::uint32_t(keys[j * kLanes]) & std::uint32_t(kNumberBits);
+      row_distances[j] = distances[number * kLanes];
+      row_indices[j] = index[slots[number]];
     }
   }
 
   // False if keys alone cannot tell the k nearest.
-  HWY_INLINE bool write_row(std::uint32_t slot, std::uint32_t lane) {
-    const std::size_t k = table_.k;
-    if ((keys_[(k - 1) * kLanes + lane] | kNumberBits) >= keys_[(kKept - 1) * kLanes + lane]) return false;
+  bool write_row_with_ties(std::uint32_t slot, std::uint32_t lane) {
+    const std::int32_t farthest = keys_[(table_.k - 1) * kLanes + lane] | kNumberBits;
+    if (farthest >= keys_[(kKept - 1) * kLanes + lane]) return false;
     Row row = lone_.row(slot);
-    for (std::size_t j = 0; j < kKept; ++j) {
-      const std::int32_t key = keys_[j * kLanes + lane];
-      if (j >= k && key > (keys_[(k - 1) * kLanes + lane] | kNumberBits)) break;
-      const std::uint32_t number = std::uint32_t(key & kNumberBits);
+    for (std::size_t j = 0; keys_[j * kLanes + lane] <= farthest; ++j) {
+      const std::size_t number = std::size_t(keys_[j * kLanes + lane] & kNumberBits);
       row.insert(distances_[number * kLanes + lane], l_.index[slots_[number] + lane]);
     }
     return true;

@@ -8,12 +8,16 @@
 #endif
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <vector>
 
 #include <hwy/highway.h>
 
+#include <tilth/search/chunk_boxes-inl.hpp>
 #include <tilth/search/direction_bound-inl.hpp>
+#include <tilth/search/nearest_keys-inl.hpp>
+#include <tilth/search/scan_kernel.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace tilth {
@@ -25,34 +29,38 @@ struct Row {
   float* distances;
   std::uint32_t* indices;
   std::size_t k;
+  float limit;  ///< nothing farther is of use
   std::size_t count = 0;
 
-  HWY_INLINE float limit() const { return count == k ? distances[k - 1] : std::numeric_limits<float>::infinity(); }
+  HWY_INLINE bool before(std::size_t j, float distance, std::uint32_t index) const {
+    return distances[j] < distance || (distances[j] == distance && indices[j] < index);
+  }
 
   HWY_INLINE void insert(float distance, std::uint32_t index) {
-    const auto before = [&](std::size_t j) {
-      return distances[j] < distance || (distances[j] == distance && indices[j] < index);
-    };
-    if (count == k && before(k - 1)) return;
+    if (count == k && before(k - 1, distance, index)) return;
     std::size_t j = count < k ? count++ : k - 1;
-    for (; j > 0 && !before(j - 1); --j) {
+    for (; j > 0 && !before(j - 1, distance, index); --j) {
       distances[j] = distances[j - 1];
       indices[j] = indices[j - 1];
     }
     distances[j] = distance;
     indices[j] = index;
+    if (count == k) limit = std::min(limit, distances[k - 1]);
   }
 };
 
 class LoneSearch {
  public:
-  LoneSearch(const RingLayout& layout, NeighborTable& table)
-      : l_(layout), table_(table), cursors_(layout.rings.size(), 0) {}
+  LoneSearch(const RingLayout& layout, SearchBuffers& buffers, NeighborTable& table)
+      : l_(layout), table_(table), cursors_(buffers.cursors), boxes_(buffers.boxes) {
+    cursors_.assign(layout.rings.size(), 0);
+    boxes_.clear();
+  }
 
-  /// The row of the point in `slot`, empty.
-  HWY_INLINE Row row(std::uint32_t slot) {
+  /// The row of the point in `slot`, empty, open to what lies within `limit`.
+  HWY_INLINE Row row(std::uint32_t slot, float limit = std::numeric_limits<float>::infinity()) {
     const std::size_t begin = l_.index[slot] * table_.k;
-    return {table_.squared_distances.data() + begin, table_.indices.data() + begin, table_.k};
+    return {table_.squared_distances.data() + begin, table_.indices.data() + begin, table_.k, limit};
   }
 
   /// The first slot of a ring whose azimuth is not below `azimuth`, up to the ring's end.
@@ -66,21 +74,23 @@ class LoneSearch {
     return ring.begin + i;
   }
 
-  /// Fills the row of the point in `slot` of a ring.
-  void search(std::uint32_t ring, std::uint32_t slot) {
-    Lone p{Queries<One>(One(), l_, slot), row(slot), l_.index[slot], l_.azimuth[slot]};
+  /// Fills the row of the point in `slot` of a ring. There must be k points within the squared distance `limit`.
+  void search(std::uint32_t ring, std::uint32_t slot, float limit) {
+    Lone p{Queries<One>(One(), l_, slot), row(slot, limit), l_.index[slot], l_.azimuth[slot]};
+    if (limit > kWide * hn::GetLane(p.query.rho_squared)) return search_boxes(p);
     const auto own = l_.rings.begin() + ring;
     search_ring(p, *own);
-    for (auto r = own + 1; r != l_.rings.end() && reaches(p, r->lowest_above, kZenith); ++r) search_ring(p, *r);
-    for (auto r = own; r != l_.rings.begin() && reaches(p, kNadir, (r - 1)->highest_below); --r)
-      search_ring(p, *(r - 1));
+    for (auto q = own + 1; q != l_.rings.end() && reaches(p, q->lowest_above, kZenith); ++q) search_ring(p, *q);
+    for (auto q = own; q != l_.rings.begin() && reaches(p, kNadir, (q - 1)->highest_below); --q)
+      search_ring(p, *(q - 1));
   }
 
  private:
   using D = hn::ScalableTag<float>;
   using One = hn::CappedTag<float, 1>;
   static constexpr std::uint32_t kLanes = HWY_LANES(float);
-  static constexpr Elevation kZenith{1.0f, 0.0f}, kNadir{-1.0f, 0.0f};
+  static constexpr float kWide = 0.03f;  // squared sine of the widest angle searched by direction
+  static constexpr Elevation kZenith{1.5707964f, 1.0f, 0.0f}, kNadir{-1.5707964f, -1.0f, 0.0f};
 
   struct Lone {
     Queries<One> query;
@@ -91,12 +101,12 @@ class LoneSearch {
 
   HWY_INLINE bool reaches(const Lone& p, const Elevation& low, const Elevation& high) {
     const auto off = off_elevation(One(), p.query, p.query.rho, low, high);
-    return hn::GetLane(hn::Mul(off, off)) < p.row.limit();
+    return hn::GetLane(hn::Mul(off, off)) < p.row.limit;
   }
 
   template <int kSide>
   HWY_INLINE bool open(const Lone& p, std::uint32_t slot, const Ring& ring) {
-    return hn::GetLane(side_bound<kSide>(One(), p.query, l_, slot, &ring)) < p.row.limit();
+    return hn::GetLane(side_bound<kSide>(One(), p.query, l_, slot, &ring)) < p.row.limit;
   }
 
   // Offers the first `count` points from `slot` on to the row.
@@ -106,12 +116,32 @@ class LoneSearch {
     const auto dy = hn::Sub(hn::LoadU(d, &l_.y[slot]), hn::Set(d, hn::GetLane(p.query.y)));
     const auto dz = hn::Sub(hn::LoadU(d, &l_.z[slot]), hn::Set(d, hn::GetLane(p.query.z)));
     const auto squared = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
-    if (hn::AllFalse(d, hn::Le(squared, hn::Set(d, p.row.limit())))) return;
+    const auto near = hn::And(hn::Le(squared, hn::Set(d, p.row.limit)), hn::FirstN(d, count));
+    if (hn::AllFalse(d, near)) return;
     alignas(64) float distances[kLanes];
     hn::Store(squared, d, distances);
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (distances[i] <= p.row.limit() && l_.index[slot + i] != p.self) p.row.insert(distances[i], l_.index[slot + i]);
+    for (std::uint32_t bits = lane_bits(d, near); bits != 0; bits &= bits - 1) {
+      const std::uint32_t i = std::uint32_t(std::countr_zero(bits)), index = l_.index[slot + i];
+      if (distances[i] <= p.row.limit && index != p.self) p.row.insert(distances[i], index);
     }
+  }
+
+  void search_boxes(Lone& p) {
+    if (boxes_.empty()) fill_boxes(boxes_, l_);
+    const float x = hn::GetLane(p.query.x), y = hn::GetLane(p.query.y), z = hn::GetLane(p.query.z);
+    for (std::size_t i = 0; i < boxes_.slots.size(); i += kLanes) {
+      alignas(64) float distances[kLanes];
+      const auto squared = box_distances(D(), boxes_, i, x, y, z);
+      if (hn::AllFalse(D(), hn::Le(squared, hn::Set(D(), p.row.limit)))) continue;
+      hn::Store(squared, D(), distances);
+      for (std::size_t j = i; j < std::min(i + kLanes, boxes_.slots.size()); ++j) {
+        if (distances[j - i] <= p.row.limit) visit_run(p, boxes_.slots[j], boxes_.counts[j]);
+      }
+    }
+  }
+
+  HWY_INLINE void visit_run(Lone& p, std::uint32_t slot, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; i += kLanes) visit(p, slot + i, std::min(kLanes, count - i));
   }
 
   void search_ring(Lone& p, const Ring& ring) {
@@ -139,7 +169,8 @@ class LoneSearch {
 
   const RingLayout& l_;
   NeighborTable& table_;
-  std::vector<std::uint32_t> cursors_;
+  std::vector<std::uint32_t>& cursors_;
+  ChunkBoxes& boxes_;
 };
 
 }  // namespace

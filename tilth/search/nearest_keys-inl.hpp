@@ -25,6 +25,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::int32_t kNumberBits = 0xFF;
 constexpr std::int32_t kNoKey = 0x7F7FFFFF;  // a distance that nothing has
 
+/// Bit i is set where lane i is.
+template <class D>
+HWY_INLINE std::uint32_t lane_bits(D d, hn::Mask<D> mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  return bytes[0] | std::uint32_t(bytes[1]) << 8;
+}
+
 struct Comparator {
   std::uint8_t low, high;
 };
@@ -69,23 +77,35 @@ HWY_INLINE void exchange(V& low, V& high) {
   low = least;
 }
 
+template <class V, std::size_t kCount, std::size_t... i>
+HWY_INLINE void run_network(V (&keys)[kCount], std::index_sequence<i...>) {
+  constexpr auto kNetwork = sorting_network<kCount>();
+  (exchange(keys[kNetwork[i].low], keys[kNetwork[i].high]), ...);
+}
+
+template <class V, std::size_t kCount, std::size_t... i>
+HWY_INLINE void run_insertion(V (&keys)[kCount], V key, std::index_sequence<i...>) {
+  (exchange(keys[i], key), ...);
+}
+
 /// Sorts each lane of `keys`, ascending.
 template <class V, std::size_t kCount>
 HWY_INLINE void sort_keys(V (&keys)[kCount]) {
-  constexpr auto kNetwork = sorting_network<kCount>();
-  const auto run = [&]<std::size_t... i>(std::index_sequence<i...>) HWY_ATTR {
-    (exchange(keys[kNetwork[i].low], keys[kNetwork[i].high]), ...);
-  };
-  run(std::make_index_sequence<kNetwork.size()>());
+  run_network(keys, std::make_index_sequence<network_size<kCount>()>());
 }
 
 /// Keeps the least of `keys` and one more key, sorted.
 template <class V, std::size_t kCount>
 HWY_INLINE void insert_key(V (&keys)[kCount], V key) {
-  const auto run = [&]<std::size_t... i>(std::index_sequence<i...>) HWY_ATTR {
-    (exchange(keys[i], key), ...);
-  };
-  run(std::make_index_sequence<kCount>());
+  run_insertion(keys, key, std::make_index_sequence<kCount>());
+}
+
+/// A bit for each lane in which two keys that follow one another among the first kSorted differ in their number only.
+template <std::size_t kSorted, class DI, std::size_t kCount>
+HWY_INLINE std::uint32_t lanes_with_ties(DI d, const hn::Vec<DI> (&keys)[kCount]) {
+  auto least = hn::Set(d, kNoKey);
+  HWY_UNROLL(64) for (std::size_t j = 1; j < kSorted; ++j) least = hn::Min(least, hn::Xor(keys[j], keys[j - 1]));
+  return lane_bits(d, hn::Lt(least, hn::Set(d, kNumberBits + 1)));
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <span>
 
+#include <tilth/search/ring_directions.hpp>
 #include <tilth/search/ring_layout.hpp>
 
 namespace tilth {
@@ -13,14 +12,7 @@ namespace {
 constexpr std::size_t kMostRings = 1024;
 constexpr float kTurn = 4.0f;         // of the pseudo angle
 constexpr double kWidening = 2e-6;    // [rad] added to elevations: far above the rounding of float
-constexpr double kMostOverlap = 2.0;  // summed width of the rings' elevations over the whole width
-
-// Azimuth as an angle of the square |x| + |y| = 1: monotone, in [0, 4), without trigonometry.
-float pseudo_angle(float ux, float uy) {
-  const float t = ux / (std::abs(ux) + std::abs(uy));
-  const float a = uy >= 0.0f ? 1.0f - t : 3.0f + t;
-  return a < kTurn ? a : 0.0f;
-}
+constexpr float kMostOverlap = 2.0f;  // summed width of the rings' elevations over the whole width
 
 struct Build {
   const PointCloud& cloud;
@@ -77,35 +69,29 @@ void turn_counterclockwise(RingLayout& l) {
 }
 
 Elevation elevation(double angle) {
-  return {float(std::sin(angle)), float(std::cos(angle))};
+  return {float(angle), float(std::sin(angle)), float(std::cos(angle))};
 }
 
-// Directions of the points of a ring, and the elevations between which they lie.
-void measure(RingLayout& l, Ring& ring) {
-  float low = std::numeric_limits<float>::infinity(), high = -low;
-  float ux = 1.0f, uy = 0.0f;
-  for (std::uint32_t s = ring.begin; s < ring.begin + ring.count; ++s) {
-    const float rho = std::sqrt(l.x[s] * l.x[s] + l.y[s] * l.y[s]);
-    if (rho > 1e-12f) ux = l.x[s] / rho, uy = l.y[s] / rho;
-    l.ux[s] = ux;
-    l.uy[s] = uy;
-    l.azimuth[s] = pseudo_angle(ux, uy);
-    const float slope = l.z[s] / rho;  // NaN at the origin, which lies in every direction
-    if (slope < low) low = slope;
-    if (slope > high) high = slope;
+// Gives points on the axis, which lie in every direction, that of the point before them.
+void direct_axis_points(RingLayout& l, const Ring& ring) {
+  for (std::uint32_t s = ring.begin + 1; s < ring.begin + ring.count; ++s) {
+    if (std::abs(l.x[s]) + std::abs(l.y[s]) > 1e-12f) continue;
+    for (std::vector<float>* v : {&l.ux, &l.uy, &l.azimuth}) (*v)[s] = (*v)[s - 1];
   }
-  if (low > high) low = high = 0.0f;
-  ring.low = elevation(std::max(std::atan(double(low)) - kWidening, -M_PI_2));
-  ring.high = elevation(std::min(std::atan(double(high)) + kWidening, M_PI_2));
 }
 
-// True if the ring goes once round at most, ascending; its azimuths then go on past 4 after the wrap.
-bool unwrap(std::span<float> azimuth) {
-  float turn = 0.0f;
-  for (std::size_t i = 1; i < azimuth.size(); ++i) {
-    if (azimuth[i] + turn < azimuth[i - 1] - 0.5f * kTurn) turn += kTurn;
-    azimuth[i] += turn;
-    if (azimuth[i] < azimuth[i - 1]) return false;
+// Directions of the points of a ring, and the elevations between which they lie. True if it goes once round, ascending;
+// its azimuths then go on past 4 after the wrap.
+bool measure(RingLayout& l, Ring& ring) {
+  const RingDirections d = measure_directions(l, ring);
+  const bool any = d.lowest_slope <= d.highest_slope;
+  ring.low = elevation(std::max((any ? std::atan(double(d.lowest_slope)) : 0.0) - kWidening, -M_PI_2));
+  ring.high = elevation(std::min((any ? std::atan(double(d.highest_slope)) : 0.0) + kWidening, M_PI_2));
+  if (d.on_axis > 0) direct_axis_points(l, ring);
+  if (d.on_axis > 0 || d.descents > 1) return false;
+  const std::span<float> azimuth(&l.azimuth[ring.begin], ring.count);
+  if (d.descents == 1) {
+    for (float& a : azimuth.subspan(d.last_descent)) a += kTurn;
   }
   return azimuth.back() <= azimuth.front() + kTurn;
 }
@@ -152,25 +138,21 @@ void pad(RingLayout& l, const Ring& ring) {
   }
 }
 
-double angle_of(const Elevation& e) {
-  return std::atan2(double(e.sin), double(e.cos));
-}
-
 // Orders the rings upwards. False if they overlap so much that a ring says little about elevation.
 bool order_rings(std::vector<Ring>& rings) {
-  const auto middle = [](const Ring& r) { return angle_of(r.low) + angle_of(r.high); };
-  std::sort(rings.begin(), rings.end(), [&](const Ring& a, const Ring& b) { return middle(a) < middle(b); });
-  const auto lower = [](const Elevation& a, const Elevation& b) { return angle_of(a) < angle_of(b) ? a : b; };
-  const auto higher = [](const Elevation& a, const Elevation& b) { return angle_of(a) < angle_of(b) ? b : a; };
-  double width = 0.0;
+  const auto lower = [](const Elevation& a, const Elevation& b) { return a.angle < b.angle; };
+  std::sort(rings.begin(), rings.end(),
+            [](const Ring& a, const Ring& b) { return a.low.angle + a.high.angle < b.low.angle + b.high.angle; });
+  float width = 0.0f;
   for (std::size_t i = 0; i < rings.size(); ++i) {
-    width += angle_of(rings[i].high) - angle_of(rings[i].low);
-    rings[i].highest_below = i == 0 ? rings[i].high : higher(rings[i - 1].highest_below, rings[i].high);
+    width += rings[i].high.angle - rings[i].low.angle;
+    rings[i].highest_below = i == 0 ? rings[i].high : std::max(rings[i - 1].highest_below, rings[i].high, lower);
   }
   for (std::size_t i = rings.size(); i-- > 0;) {
-    rings[i].lowest_above = i + 1 == rings.size() ? rings[i].low : lower(rings[i + 1].lowest_above, rings[i].low);
+    rings[i].lowest_above =
+        i + 1 == rings.size() ? rings[i].low : std::min(rings[i + 1].lowest_above, rings[i].low, lower);
   }
-  return width <= kMostOverlap * (angle_of(rings.back().highest_below) - angle_of(rings.front().lowest_above));
+  return width <= kMostOverlap * (rings.back().highest_below.angle - rings.front().lowest_above.angle);
 }
 
 }  // namespace
@@ -182,8 +164,7 @@ bool arrange(const PointCloud& cloud, RingLayout& layout) {
   if (!place_points(build)) return false;
   turn_counterclockwise(layout);
   for (Ring& ring : layout.rings) {
-    measure(layout, ring);
-    if (!unwrap({layout.azimuth.data() + ring.begin, ring.count})) sort_ring(build, ring);
+    if (!measure(layout, ring)) sort_ring(build, ring);
     pad(layout, ring);
   }
   return order_rings(layout.rings);

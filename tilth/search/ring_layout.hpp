@@ -12,6 +12,7 @@ namespace tilth {
 
 /// An elevation above the horizontal plane.
 struct Elevation {
+  float angle = 0.0f;  ///< [rad]
   float sin = 0.0f;
   float cos = 1.0f;
 };
@@ -34,6 +35,19 @@ struct RingLayout {
   std::vector<float> ux, uy;         ///< unit horizontal direction (any, for points on the axis)
   std::vector<float> azimuth;        ///< pseudo angle, 4 a turn: ascending in each ring, pads included
   std::vector<std::uint32_t> index;  ///< of the point in the cloud
+};
+
+/// Boxes [m] around runs of slots; empty until a search needs them.
+struct ChunkBoxes {
+  std::vector<float> low_x, high_x, low_y, high_y, low_z, high_z;
+  std::vector<std::uint32_t> slots, counts;  ///< of each box's run
+
+  bool empty() const { return slots.empty(); }
+  void clear() {
+    for (std::vector<float>* v : {&low_x, &high_x, &low_y, &high_y, &low_z, &high_z}) v->clear();
+    slots.clear();
+    counts.clear();
+  }
 };
 
 /// Lays out `cloud`. False where its rings give no order to search by: no rings, or rings that overlap in elevation.

@@ -27,6 +27,7 @@ void search_tree(const PointCloud& cloud, NeighborTable& table) {
 
 struct ScanNeighbors::Buffers {
   RingLayout layout;
+  SearchBuffers search;
   NeighborTable table;
 };
 
@@ -42,7 +43,7 @@ const NeighborTable& ScanNeighbors::compute(const PointCloud& cloud, std::size_t
   table.squared_distances.resize(cloud.size() * table.k);
   if (table.k == 0) return table;
   if (table.k <= kMostRingNeighbors && arrange(cloud, buffers_->layout)) {
-    search_rings(buffers_->layout, table);
+    search_rings(buffers_->layout, buffers_->search, table);
   } else {
     search_tree(cloud, table);
   }

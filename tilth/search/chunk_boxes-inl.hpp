@@ -1,0 +1,76 @@
+// Boxes around short runs of every ring, tested a vector at a time: for the few points, mostly near the sensor and far
+// from everything, whose neighbours lie in so many directions that bounds by direction are of no use.
+#if defined(TILTH_SEARCH_CHUNK_BOXES_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TILTH_SEARCH_CHUNK_BOXES_INL
+#undef TILTH_SEARCH_CHUNK_BOXES_INL
+#else
+#define TILTH_SEARCH_CHUNK_BOXES_INL
+#endif
+
+#include <algorithm>
+#include <limits>
+
+#include <hwy/highway.h>
+
+#include <tilth/search/ring_layout.hpp>
+
+HWY_BEFORE_NAMESPACE();
+namespace tilth {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr std::uint32_t kChunk = 32;  // slots of a box
+
+inline void span_of(const float* values, std::uint32_t count, std::vector<float>& low, std::vector<float>& high) {
+  const hn::ScalableTag<float> d;
+  auto least = hn::Set(d, values[0]), most = least;
+  for (std::uint32_t i = 0; i < count; i += HWY_LANES(float)) {
+    const auto some = hn::IfThenElse(hn::FirstN(d, count - i), hn::LoadU(d, values + i), least);
+    least = hn::Min(least, some);
+    most = hn::Max(most, some);
+  }
+  low.push_back(hn::GetLane(hn::MinOfLanes(d, least)));
+  high.push_back(hn::GetLane(hn::MaxOfLanes(d, most)));
+}
+
+inline void box_of(ChunkBoxes& boxes, const RingLayout& l, std::uint32_t slot, std::uint32_t count) {
+  span_of(&l.x[slot], count, boxes.low_x, boxes.high_x);
+  span_of(&l.y[slot], count, boxes.low_y, boxes.high_y);
+  span_of(&l.z[slot], count, boxes.low_z, boxes.high_z);
+  boxes.slots.push_back(slot);
+  boxes.counts.push_back(count);
+}
+
+/// Boxes of all rings, and far away ones to fill the last vector.
+inline void fill_boxes(ChunkBoxes& boxes, const RingLayout& l) {
+  for (const Ring& ring : l.rings) {
+    for (std::uint32_t i = 0; i < ring.count; i += kChunk) {
+      box_of(boxes, l, ring.begin + i, std::min(kChunk, ring.count - i));
+    }
+  }
+  for (auto* bounds : {&boxes.low_x, &boxes.high_x, &boxes.low_y, &boxes.high_y, &boxes.low_z, &boxes.high_z}) {
+    bounds->resize(boxes.slots.size() + HWY_LANES(float), std::numeric_limits<float>::infinity());
+  }
+}
+
+template <class V>
+HWY_INLINE V outside(V p, V low, V high) {
+  return hn::Max(hn::Max(hn::Sub(low, p), hn::Sub(p, high)), hn::Sub(p, p));
+}
+
+/// Squared distances, rounded as those of points are, from p to the boxes from number `i` on.
+template <class D>
+HWY_INLINE hn::Vec<D> box_distances(D d, const ChunkBoxes& b, std::size_t i, float x, float y, float z) {
+  const auto dx = outside(hn::Set(d, x), hn::LoadU(d, &b.low_x[i]), hn::LoadU(d, &b.high_x[i]));
+  const auto dy = outside(hn::Set(d, y), hn::LoadU(d, &b.low_y[i]), hn::LoadU(d, &b.high_y[i]));
+  const auto dz = outside(hn::Set(d, z), hn::LoadU(d, &b.low_z[i]), hn::LoadU(d, &b.high_z[i]));
+  return hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace tilth
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,33 @@
+// Second moments of the points around each point, from a table of neighbours: Sigma_i of Fu et al. 2026, sections 3
+// and 4. One pass over the table, a vector of points at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <tilth/core/point_cloud.hpp>
+#include <tilth/search/scan_neighbors.hpp>
+
+namespace tilth {
+
+/// Sample covariances [m^2], the upper triangle of each point's as structure of arrays.
+struct LocalCovariances {
+  std::vector<float> xx, xy, xz, yy, yz, zz;
+  std::vector<std::uint8_t> counts;  ///< neighbours that were kept; below two a covariance is zero
+
+  std::size_t size() const { return xx.size(); }
+  Eigen::Matrix3f matrix(std::size_t i) const {
+    return (Eigen::Matrix3f() << xx[i], xy[i], xz[i], xy[i], yy[i], yz[i], xz[i], yz[i], zz[i]).finished();
+  }
+};
+
+/// 1/(m - 1) sum (q - mean)(q - mean)^T over the m neighbours q of each point that are kept (`keep` not 0); all are
+/// where `keep` is empty. The point itself is not one of them. At most 255 neighbours. O(n k).
+LocalCovariances local_covariances(const PointCloud& cloud, const NeighborTable& neighbors,
+                                   std::span<const std::uint8_t> keep = {});
+
+}  // namespace tilth
