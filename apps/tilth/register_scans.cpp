@@ -11,7 +11,7 @@ constexpr std::size_t kMostWarnings = 10;
 
 ScanRow row_of(const Scan& scan, const OdometryResult& result) {
   ScanRow row;
-  row.stamp = scan.stamp;
+  row.stamp = result.stamp;
   row.points_read = scan.cloud.size();
   row.points_in = result.counts.points_in;
   row.outliers = result.counts.outliers;
@@ -98,9 +98,9 @@ bool RegistrationLoop::register_scan(const Scan& scan, double read_ms) {
 
 void RegistrationLoop::keep(const Scan& scan, const OdometryResult& result, ScanRow row) {
   const Stopwatch mapping;
-  record_.map.add(result.filtered, result.T_world_lidar, result.velocity);
+  record_.map.add(result.filtered, result.T_world_lidar, result.stamp - scan.stamp, result.velocity);
   row.map_ms = mapping.milliseconds();
-  record_.trajectory.push_back({scan.stamp, result.T_world_lidar});
+  record_.trajectory.push_back({result.stamp, result.T_world_lidar});
   record_.scans.stages = clock_.stages();
   record_.scans.rows.push_back(std::move(row));
 }

@@ -80,6 +80,7 @@ RunEnd register_all(const RunArguments& arguments, const PipelineChoice& choice,
 std::vector<std::string> judge(const PoseFile& truth, RunRecord& record) {
   EvaluationOptions options;
   options.align = Alignment::origin;
+  options.association.interpolate = true;  // truth and poses seldom share their stamps
   const auto judged = truth.has_stamps ? &evaluate : &evaluate_by_index;
   try {
     record.evaluation = judged(truth.trajectory, record.trajectory, options);

@@ -16,10 +16,10 @@ constexpr double kLargestIndex = 1 << 20;  // of a voxel along an axis: 21 bits 
 /// steps of a few hundredths of a degree is exact to well under a millimetre.
 class ScanMotion {
  public:
-  ScanMotion(const Pose& T_world_lidar, const Vector6d& velocity, double duration)
+  ScanMotion(const Pose& T_world_begin, const Vector6d& velocity, double duration)
       : angular_(velocity.head<3>()), linear_(velocity.tail<3>()), step_(std::max(duration / kSteps, 1e-9)) {
     for (std::size_t i = 0; i < poses_.size(); ++i) {
-      poses_[i] = T_world_lidar * exp(velocity * (step_ * double(i)));
+      poses_[i] = T_world_begin * exp(velocity * (step_ * double(i)));
     }
   }
 
@@ -69,13 +69,13 @@ bool take(std::vector<std::uint64_t>& slots, std::uint64_t key) {
 MapBuilder::MapBuilder(const MapOptions& options)
     : voxel_(options.voxel), max_points_(options.max_points), slots_(kFirstSlots, 0) {}
 
-void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, const Vector6d& velocity) {
+void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const Vector6d& velocity) {
   const bool timed = cloud.has_times();
-  const double duration = timed ? *std::max_element(cloud.times.begin(), cloud.times.end()) : 0.0;
-  const ScanMotion motion(T_world_lidar, velocity, duration);
+  const double duration = timed ? *std::max_element(cloud.times.begin(), cloud.times.end()) : pose_time;
+  const ScanMotion motion(T_world_lidar * exp(-pose_time * velocity), velocity, duration);
   const bool bright = cloud.intensities.size() == cloud.size();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3d p = motion.at(cloud.points[i], timed ? double(cloud.times[i]) : 0.0);
+    const Eigen::Vector3d p = motion.at(cloud.points[i], timed ? double(cloud.times[i]) : pose_time);
     insert({float(p.x()), float(p.y()), float(p.z()), bright ? cloud.intensities[i] : 0.0F});
   }
 }

@@ -29,10 +29,10 @@ class MapBuilder {
  public:
   explicit MapBuilder(const MapOptions& options);
 
-  /// Adds a scan whose sensor stood at `T_world_lidar` at its stamp and moved at `velocity` ([rad/s, m/s], in its own
-  /// frame) while it was measured: a point of time t lies at T_world_lidar * exp(velocity * t) * p. Points that are not
-  /// finite are passed over.
-  void add(const PointCloud& cloud, const Pose& T_world_lidar, const Vector6d& velocity);
+  /// Adds a scan whose sensor stood at `T_world_lidar` when `pose_time` ([s], on the clock of `cloud.times`) and moved
+  /// at `velocity` ([rad/s, m/s], in its own frame) while it was measured: a point of time t lies at T_world_lidar *
+  /// exp(velocity * (t - pose_time)) * p. Points that are not finite are passed over.
+  void add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const Vector6d& velocity);
 
   std::size_t size() const { return points_.size(); }
   double voxel() const { return voxel_; }  ///< [m] in force; larger than asked for once the bound was met
