@@ -47,7 +47,7 @@ std::size_t Simulator::size() const {
 }
 
 double Simulator::stamp(std::size_t index) const {
-  return truth_.front().stamp + double(index + 1) * lidar_.period;
+  return truth_.front().stamp + double(index + 1) / (1 / lidar_.period);  // 2.9, not 2.9000000000000004
 }
 
 LabelledScan Simulator::scan(std::size_t index) const {
