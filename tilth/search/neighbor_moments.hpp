@@ -1,5 +1,5 @@
 // Second moments of the points around each point, from a table of neighbours: Sigma_i of Fu et al. 2026, sections 3
-// and 4. One pass over the table, a vector of points at a time.
+// and 4. One pass over the table, a vector operation for each neighbour.
 #pragma once
 
 #include <cstddef>
@@ -29,5 +29,17 @@ struct LocalCovariances {
 /// where `keep` is empty. The point itself is not one of them. At most 255 neighbours. O(n k).
 LocalCovariances local_covariances(const PointCloud& cloud, const NeighborTable& neighbors,
                                    std::span<const std::uint8_t> keep = {});
+
+/// local_covariances() for scan after scan: keeps its buffers, so that after the first scans nothing is allocated.
+class NeighborMoments {
+ public:
+  /// The covariances; they hold until the next call.
+  const LocalCovariances& compute(const PointCloud& cloud, const NeighborTable& neighbors,
+                                  std::span<const std::uint8_t> keep = {});
+
+ private:
+  std::vector<Eigen::Array4f> points_;  // x, y, z and 1 (kept) or 0: one aligned load
+  LocalCovariances covariances_;
+};
 
 }  // namespace tilth
