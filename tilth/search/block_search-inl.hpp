@@ -1,6 +1,6 @@
-// The neighbours of as many consecutive points of a ring as a vector has lanes. All lanes look at the same offsets from
-// themselves, so candidates are plain loads: first along their own ring, then along the rings above and below as long
-// as a lane's bound lets them hold anything nearer. Lanes that need much more than the others are finished alone.
+// The neighbours of as many consecutive points of a ring as a vector has lanes. All lanes look at the same offsets, so
+// candidates are plain loads: along their own ring, then along those above and below while a lane's bound lets them
+// hold anything nearer. Lanes that need much more than the others are finished alone.
 #if defined(TILTH_SEARCH_BLOCK_SEARCH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TILTH_SEARCH_BLOCK_SEARCH_INL
 #undef TILTH_SEARCH_BLOCK_SEARCH_INL
@@ -12,9 +12,9 @@
 #include <bit>
 #include <limits>
 #include <utility>
-
 #include <hwy/highway.h>
 
+#include <tilth/search/candidate_rows-inl.hpp>
 #include <tilth/search/direction_bound-inl.hpp>
 #include <tilth/search/lone_search-inl.hpp>
 #include <tilth/search/nearest_keys-inl.hpp>
@@ -57,7 +57,7 @@ class BlockSearch {
   using Ints = hn::Vec<DI>;
   using Mask = hn::Mask<D>;
   static constexpr std::uint32_t kLanes = HWY_LANES(float);
-  static constexpr std::uint32_t kMostCandidates = kNumberBits - 2;  // no key equals a limit
+  static constexpr std::uint32_t kMostCandidates = CandidateRows<kKept>::kMostCandidates;
   static constexpr std::size_t kWanted =
       kKept - 2;  // a key more shows ties, another leaves fewer of them to be settled
   static constexpr std::uint32_t kPatience = kKept / 2 + 10;  // offsets after which a few lanes are left alone
@@ -79,8 +79,8 @@ class BlockSearch {
 
   HWY_INLINE Ints key_of(Block& b, std::uint32_t slot) {
     const Floats squared = squared_distance(D(), b.queries, l_, slot);
-    hn::Store(squared, D(), distances_ + b.count * kLanes);
-    slots_[b.count] = slot;
+    hn::Store(squared, D(), rows_.distances + b.count * kLanes);
+    rows_.slots[b.count] = slot;
     const Ints upper = hn::And(hn::BitCast(DI(), squared), hn::Set(DI(), ~kNumberBits));
     return hn::Or(upper, hn::Set(DI(), std::int32_t(b.count++)));
   }
@@ -105,7 +105,6 @@ class BlockSearch {
     renew_limit(b);
   }
 
-  // Lanes to which something beyond `bound` may still matter.
   HWY_INLINE Mask open_lanes(const Block& b, Floats bound) { return hn::Lt(bound, hn::BitCast(D(), b.limit)); }
 
   HWY_INLINE void leave(Block& b, Mask lanes) {
@@ -151,7 +150,6 @@ class BlockSearch {
     if ((left_open || right_open) && left + right + 2 == count) add(b, slot + right + 1);
   }
 
-  // True if a lane may have neighbours among elevations between `low` and `high`.
   HWY_INLINE bool reaches(const Block& b, const Elevation& low, const Elevation& high) {
     const Floats off = off_elevation(D(), b.queries, b.queries.rho, low, high);
     return !hn::AllFalse(D(), open_lanes(b, hn::Mul(off, off)));
@@ -169,62 +167,30 @@ class BlockSearch {
     for (std::uint32_t i = 0; i < lanes; ++i) lone_.search(ring_, slot + i, std::numeric_limits<float>::infinity());
   }
 
-  // Its k-th key bounds what the lane still looks for.
   void search_lane(std::uint32_t slot, std::uint32_t lane) {
-    lone_.search(ring_, slot, std::bit_cast<float>(keys_[(table_.k - 1) * kLanes + lane] | kNumberBits));
+    lone_.search(ring_, slot, std::bit_cast<float>(rows_.keys[(table_.k - 1) * kLanes + lane] | kNumberBits));
   }
 
   HWY_INLINE void write_rows(const Block& b, std::uint32_t lanes) {
-    HWY_UNROLL(64) for (std::size_t j = 0; j < kKept; ++j) hn::Store(b.keys[j], DI(), keys_ + j * kLanes);
+    HWY_UNROLL(64) for (std::size_t j = 0; j < kKept; ++j) hn::Store(b.keys[j], DI(), rows_.keys + j * kLanes);
     const std::uint32_t active = lane_bits(D(), b.active), ties = lanes_with_ties<kWanted + 1>(DI(), b.keys);
     for (std::uint32_t lane = 0; lane < lanes; ++lane) {
       const std::uint32_t slot = b.slot + lane;
       if ((active >> lane & 1) == 0) {
         search_lane(slot, lane);
       } else if ((ties >> lane & 1) != 0) {
-        if (!write_row_with_ties(slot, lane)) search_lane(slot, lane);
-      } else if (table_.k == kWanted) {
-        write_row(slot, lane, kWanted);
+        if (!rows_.write_with_ties(l_, lane, lone_.row(slot))) search_lane(slot, lane);
       } else {
-        write_row(slot, lane, table_.k);
+        rows_.write(l_, lane, lone_.row(slot));
       }
     }
   }
 
-  HWY_INLINE void write_row(std::uint32_t slot, std::uint32_t lane, std::size_t k) {
-    const Row row = lone_.row(slot);
-    float* HWY_RESTRICT const row_distances = row.distances;
-    std::uint32_t* HWY_RESTRICT const row_indices = row.indices;
-    const std::int32_t* HWY_RESTRICT const keys = keys_ + lane;
-    const float* HWY_RESTRICT const distances = distances_ + lane;
-    const std::uint32_t* HWY_RESTRICT const slots = slots_;
-    const std::uint32_t* HWY_RESTRICT const index = l_.index.data() + lane;
-    for (std::size_t j = 0; j < k; ++j) {
-      const std::uint32_t number = std::uint32_t(keys[j * kLanes]) & std::uint32_t(kNumberBits);
-      row_distances[j] = distances[number * kLanes];
-      row_indices[j] = index[slots[number]];
-    }
-  }
-
-  // False if keys alone cannot tell the k nearest.
-  bool write_row_with_ties(std::uint32_t slot, std::uint32_t lane) {
-    const std::int32_t farthest = keys_[(table_.k - 1) * kLanes + lane] | kNumberBits;
-    if (farthest >= keys_[(kKept - 1) * kLanes + lane]) return false;
-    Row row = lone_.row(slot);
-    for (std::size_t j = 0; keys_[j * kLanes + lane] <= farthest; ++j) {
-      const std::size_t number = std::size_t(keys_[j * kLanes + lane] & kNumberBits);
-      row.insert(distances_[number * kLanes + lane], l_.index[slots_[number] + lane]);
-    }
-    return true;
-  }
-
   const RingLayout& l_;
-  NeighborTable& table_;
+  const NeighborTable& table_;
   LoneSearch lone_;
   std::uint32_t ring_ = 0;
-  alignas(64) float distances_[kMostCandidates * kLanes];
-  alignas(64) std::int32_t keys_[kKept * kLanes];
-  std::uint32_t slots_[kMostCandidates];
+  CandidateRows<kKept> rows_;
 };
 
 }  // namespace
