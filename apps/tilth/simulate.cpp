@@ -50,6 +50,15 @@ void simulate(const SimulateArguments& arguments) {
   console.note(std::to_string(simulator.size()) + " scans of " + arguments.scene + " in " + arguments.out);
 }
 
+/// Every option of --set with the default of a plain scene, for the help.
+std::string listing() {
+  std::string text = "Options of --set (a scene may have its own defaults: recipe.txt tells what was used):\n";
+  for (const OptionInfo& row : describe(SimulationOptions{})) {
+    text += "  " + row.key + " = " + row.value + "  [" + row.unit + "] " + row.meaning + "\n";
+  }
+  return text;
+}
+
 /// An option of its own for a key that --set takes as well.
 void add_setting(CLI::App& command, SimulateArguments& arguments, const std::string& key, const std::string& help) {
   command.add_option_function<std::string>(
@@ -66,7 +75,7 @@ void add_simulate(CLI::App& app, int&) {
   command->add_option("scene", arguments->scene, "One of " + scenes)->required();
   command->add_option("--out", arguments->out, "Folder to write to")->required();
   command->add_option("--format", arguments->format, "pcd (default), kitti or bag");
-  command->add_option("--set", arguments->settings, "key=value: any option of the simulation (see docs/simulation.md)")
+  command->add_option("--set", arguments->settings, "key=value: any option listed below; may be repeated")
       ->allow_extra_args(false);
   add_setting(*command, *arguments, "sensor", "leishen_c16, vlp16, hdl32 or hdl64");
   add_setting(*command, *arguments, "seed", "Of the scene and of the noise");
@@ -76,6 +85,7 @@ void add_simulate(CLI::App& app, int&) {
       "--snapshot", [arguments] { arguments->settings.push_back("snapshot=true"); },
       "All beams of a scan from one pose, as Gazebo does");
   command->add_flag("--quiet", arguments->quiet, "Say nothing but errors");
+  command->footer(listing());
   command->callback([arguments] { simulate(*arguments); });
 }
 

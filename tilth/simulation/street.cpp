@@ -17,7 +17,7 @@ constexpr std::uint64_t kStream = 0x60;
 /// About 260 m at 8 m/s: a bend to the left, a bend to the right, a crossing taken to the right.
 const std::vector<Leg> kLegs{{1, 0, 0},
                              {4, 8, 0},
-                             {6, 8, 0},
+                             {2.5, 8, 0},
                              {4, 8, 22 * kDegree},
                              {6, 8, 0},
                              {4, 8, -30 * kDegree},
