@@ -21,10 +21,10 @@ Scene corridor(const SceneOptions& options) {
   CounterRandom random(options.seed, kStream);
   const Way way = way_of(kLegs), whole = lengthened(way, 4.0);
   const double middle = 0.5 * length_of(whole);
-  const auto bare = [&](double arc) { return std::abs(arc - middle) < 0.5 * options.bare; };
-  const auto closed = [](const Pose&, double) { return false; };
+  CorridorStyle style;
+  style.bare = [&](double arc) { return std::abs(arc - middle) < 0.5 * options.bare; };
   Scene scene;
-  add_corridor(scene.mesh, whole, CorridorStyle{}, bare, closed, random);
+  add_corridor(scene.mesh, whole, style, random);
   scene.movers.walkers = walkers_beside(lengthened(way, 3.3), options.people, 0.75, random);
   scene.trajectory = travel(kLegs, options);
   return scene;

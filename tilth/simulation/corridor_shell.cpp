@@ -25,10 +25,12 @@ Look look_of(Mesh& mesh, const CorridorStyle& style) {
 /// A wall of the outline, its frame and what is decided along it.
 struct WallSite {
   Vector3d from, to;
-  double yaw;  // [rad] of its direction
+  double yaw;      // [rad] of its direction
+  const Way& way;  // of the corridor
 
   double length() const { return (to - from).norm(); }
   Vector3d at(double s) const { return from + s / length() * (to - from); }
+  double arc(double s) const { return arc_of(way, at(s)); }  // [m] along the way
 };
 
 /// The floor (or ceiling) of each straight part; parts overlap in the corners.
@@ -52,19 +54,19 @@ void add_frame(Mesh& mesh, SurfaceId surface, const WallSite& site, const Openin
 
 /// Walks along one wall and sets doors, passages and boards into it.
 void add_corridor_wall(Mesh& mesh, const Look& look, const CorridorStyle& style, const WallSite& site,
-                       const std::function<bool(double)>& bare, const Opens& opens, CounterRandom& random) {
+                       CounterRandom& random) {
   Wall wall{site.from, site.to, style.height, {}};
   double s = kCornerClear + random.uniform(0, style.most_gap - style.least_gap);
   while (s < site.length() - kCornerClear - 1.7) {
     const bool adorned = random.chance(style.adorned);
     const double width = adorned ? random.uniform(0.9, 1.6) : random.uniform(0.9, 1.1);
     const double gap = random.uniform(style.least_gap, style.most_gap);
-    if (!bare(s) && !bare(s + width)) {
+    if (!style.bare(site.arc(s)) && !style.bare(site.arc(s + width))) {
       const Pose entry = upright(site.at(s + width / 2), site.yaw - std::numbers::pi / 2);
       if (adorned) {
         style.adorn(mesh, upright(site.at(s + width / 2), site.yaw), width);
       } else {
-        const bool open = opens(entry, width);
+        const bool open = style.opens(entry, width);
         wall.openings.push_back(
             {s, width, 0, 2.1, open ? kPassageDepth : style.recess, open ? Opening::kPassage : int(look.door)});
         add_frame(mesh, look.frame, site, wall.openings.back());
@@ -83,17 +85,15 @@ void add_notice_board(Mesh& mesh, const Pose& T_world_foot, double width) {
   add_box(mesh, board, T_world_foot * upright({0, thickness / 2, 0.95}, 0), {width, thickness, 1.0});
 }
 
-void add_corridor(Mesh& mesh, const Way& way, const CorridorStyle& style, const std::function<bool(double)>& bare,
-                  const Opens& opens, CounterRandom& random) {
+void add_corridor(Mesh& mesh, const Way& way, const CorridorStyle& style, CounterRandom& random) {
   const Look look = look_of(mesh, style);
   add_slabs(mesh, look.floor, way, style.half_width, 0);
   add_slabs(mesh, look.ceiling, way, style.half_width, style.height);
   for (const Way& corners : outlines(way, style.half_width)) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vector3d from = corners[i], to = corners[(i + 1) % corners.size()];
-      const WallSite site{from, to, std::atan2(to.y() - from.y(), to.x() - from.x())};
-      const auto bare_at = [&](double s) { return bare(arc_of(way, site.at(s))); };
-      add_corridor_wall(mesh, look, style, site, bare_at, opens, random);
+      const WallSite site{from, to, std::atan2(to.y() - from.y(), to.x() - from.x()), way};
+      add_corridor_wall(mesh, look, style, site, random);
     }
   }
 }

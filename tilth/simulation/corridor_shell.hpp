@@ -13,6 +13,10 @@ using Adorns = std::function<void(Mesh& mesh, const Pose& T_world_foot, double w
 
 void add_notice_board(Mesh& mesh, const Pose& T_world_foot, double width);
 
+/// Decides whether the wall opens into a room: given the pose of the opening's foot, x into the room, and its width
+/// [m].
+using Opens = std::function<bool(const Pose& T_world_entry, double width)>;
+
 struct CorridorStyle {
   double half_width = 1.2;  ///< [m]
   double height = 3.0;      ///< [m]
@@ -22,14 +26,11 @@ struct CorridorStyle {
   Adorns adorn = add_notice_board;
   double recess = 0.07;  ///< [m] of the door panels behind the wall
   Material floor = Material::glossy;
+  std::function<bool(double)> bare = [](double) { return false; };  ///< where along the way [m] the walls stay plain
+  Opens opens = [](const Pose&, double) { return false; };
 };
 
-/// Decides whether the wall opens into a room: given the pose of the opening's foot, x into the room, and its width
-/// [m].
-using Opens = std::function<bool(const Pose& T_world_entry, double width)>;
-
-/// Adds the corridor; `bare(arc)` says where along the way [m] its walls stay plain.
-void add_corridor(Mesh& mesh, const Way& way, const CorridorStyle& style, const std::function<bool(double)>& bare,
-                  const Opens& opens, CounterRandom& random);
+/// Adds the corridor about the way, a ring or open.
+void add_corridor(Mesh& mesh, const Way& way, const CorridorStyle& style, CounterRandom& random);
 
 }  // namespace tilth

@@ -50,12 +50,11 @@ Scene hospital(const SceneOptions& options) {
   style.half_width = kHalfWidth, style.height = kHeight, style.least_gap = 0.9, style.most_gap = 3.0;
   style.adorned = 0.3, style.adorn = add_corridor_cabinet;
   RoomsBeside wards(whole, kHalfWidth);
-  const auto opens = [&](const Pose& T_world_entry, double width) {
+  style.opens = [&](const Pose& T_world_entry, double width) {
     return random.chance(0.75) && wards.take({T_world_entry, 4.4, 5.0, kHeight}, width);
   };
   Scene scene;
-  add_corridor(
-      scene.mesh, whole, style, [](double) { return false; }, opens, random);
+  add_corridor(scene.mesh, whole, style, random);
   for (const RoomsBeside::Taken& ward : wards.taken()) furnish_ward(scene.mesh, scene.movers, ward, random);
   scene.movers.walkers = walkers_beside(lengthened(whole, -0.7), options.people, 0.8, random);
   scene.trajectory = travel(kLegs, options);

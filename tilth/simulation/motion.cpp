@@ -5,6 +5,7 @@
 
 #include <tilth/simulation/counter_random.hpp>
 #include <tilth/simulation/motion.hpp>
+#include <tilth/simulation/smooth_step.hpp>
 
 namespace tilth {
 namespace {
@@ -13,12 +14,6 @@ constexpr double kBlend = 1.6;     // [s] at nominal speed, over which a leg tak
 constexpr double kCruise = 0.2;    // [m/s] above which roll, pitch and weave reach their full size
 constexpr int kStepsPerPose = 10;  // of the integration of speed and heading
 constexpr std::uint64_t kWobbleStream = 0xA0, kVibrationStream = 0xB0;
-
-/// Rises from 0 to 1 with vanishing first and second derivatives at both ends.
-double smooth_step(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return x * x * x * (10 - 15 * x + 6 * x * x);
-}
 
 struct Planar {
   double x = 0, y = 0, yaw = 0, speed = 0;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <tilth/simulation/movers.hpp>
+#include <tilth/simulation/smooth_step.hpp>
 
 namespace tilth {
 namespace {
@@ -125,11 +126,6 @@ void cast_near(const Mover& mover, std::span<const Ray> rays, std::span<Hit> hit
     const bool far = along < -ball.radius || offset.squaredNorm() - along * along > ball.radius * ball.radius;
     if (!far) cast_one(mover, rays[i], hits[i]);
   }
-}
-
-double smooth_step(double x) {
-  x = std::clamp(x, 0.0, 1.0);
-  return x * x * x * (10 - 15 * x + 6 * x * x);
 }
 
 }  // namespace

@@ -45,12 +45,11 @@ Scene office(const SceneOptions& options) {
   style.half_width = kHalfWidth, style.height = kHeight, style.least_gap = 1.2, style.most_gap = 3.5;
   style.adorned = 0.3, style.floor = Material::matte;
   RoomsBeside rooms(ring, kHalfWidth);
-  const auto opens = [&](const Pose& T_world_entry, double width) {
+  style.opens = [&](const Pose& T_world_entry, double width) {
     return random.chance(0.6) && rooms.take({T_world_entry, 3.9, 4.3, kHeight}, width);
   };
   Scene scene;
-  add_corridor(
-      scene.mesh, ring, style, [](double) { return false; }, opens, random);
+  add_corridor(scene.mesh, ring, style, random);
   for (const RoomsBeside::Taken& room : rooms.taken()) furnish_office(scene.mesh, scene.movers, room, random);
   scene.movers.walkers = walkers_beside(ring, options.people, 0.7, random);
   scene.trajectory = travel(kLegs, options);

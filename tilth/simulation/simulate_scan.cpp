@@ -28,7 +28,6 @@ struct Setting {
   const World& world;
   const LidarModel& lidar;
   const Trajectory& trajectory;
-  double stamp;
   const NoiseOptions& options;
   const ScanKey& key;
   std::vector<std::size_t> ring_order;  // by the time they fire
@@ -47,11 +46,11 @@ Beam aim(const Setting& s, PoseTrack& track, std::size_t column, std::size_t slo
   const double fired = s.options.snapshot ? 0 : s.lidar.time_of(column, ring);
   const double turned = s.options.snapshot ? double(column) * s.lidar.period / double(s.lidar.columns) : fired;
   const Eigen::Vector3d direction = s.lidar.direction(ring, turned);
-  const Pose T_world_lidar = track.at(s.stamp + fired);
+  const Pose T_world_lidar = track.at(s.key.stamp + fired);
   return {ring,
           fired,
           direction,
-          {T_world_lidar.translation(), T_world_lidar.linear() * direction, s.stamp + fired},
+          {T_world_lidar.translation(), T_world_lidar.linear() * direction, s.key.stamp + fired},
           CounterRandom(s.key.seed, s.key.index, column * s.lidar.rings() + slot)};
 }
 
@@ -157,15 +156,15 @@ NoiseOptions gazebo_noise() {
   return options;
 }
 
-LabelledScan simulate_scan(const World& world, const LidarModel& lidar, const Trajectory& trajectory, double stamp,
+LabelledScan simulate_scan(const World& world, const LidarModel& lidar, const Trajectory& trajectory,
                            const NoiseOptions& options, const ScanKey& key) {
-  const Setting setting{world, lidar, trajectory, stamp, options, key, rings_as_they_fire(lidar)};
+  const Setting setting{world, lidar, trajectory, options, key, rings_as_they_fire(lidar)};
   std::vector<LabelledScan> parts((lidar.columns + kColumnsAtOnce - 1) / kColumnsAtOnce);
   parallel_for(lidar.columns, kColumnsAtOnce, [&](std::size_t begin, std::size_t end) {
     parts[begin / kColumnsAtOnce] = simulate_columns(setting, begin, end);
   });
   LabelledScan whole;
-  whole.scan.stamp = stamp;
+  whole.scan.stamp = key.stamp;
   for (const LabelledScan& part : parts) {
     if (part.labels.empty()) continue;
     append(whole.scan.cloud, part.scan.cloud);

@@ -54,14 +54,15 @@ struct LabelledScan {
   std::vector<std::uint8_t> labels;  ///< one a point
 };
 
-/// Which scan of which sequence: the random numbers depend on these two and the beam alone.
+/// Which scan of which sequence: the random numbers depend on seed, index and beam alone.
 struct ScanKey {
+  double stamp = 0.0;  ///< [s] at which the first beam fires
   std::uint64_t seed = 1;
   std::uint64_t index = 0;
 };
 
-/// The scan whose first beam fires at `stamp` [s]. The trajectory gives the LiDAR in the world and must cover the scan.
-LabelledScan simulate_scan(const World& world, const LidarModel& lidar, const Trajectory& trajectory, double stamp,
+/// The scan of that key. The trajectory gives the LiDAR in the world and must cover the scan.
+LabelledScan simulate_scan(const World& world, const LidarModel& lidar, const Trajectory& trajectory,
                            const NoiseOptions& options, const ScanKey& key);
 
 }  // namespace tilth

@@ -51,7 +51,7 @@ double Simulator::stamp(std::size_t index) const {
 }
 
 LabelledScan Simulator::scan(std::size_t index) const {
-  return simulate_scan(*world_, lidar_, truth_, stamp(index), noise_, {seed_, index});
+  return simulate_scan(*world_, lidar_, truth_, noise_, {stamp(index), seed_, index});
 }
 
 }  // namespace tilth
