@@ -19,9 +19,10 @@ struct ScanCounts {
 };
 
 struct OdometryResult {
-  Pose T_world_lidar = Pose::Identity();  ///< at the stamp of the scan; world = the LiDAR at the first stamp
+  double stamp = 0.0;                     ///< [s] of the pose: the middle of the scan if its points have times, else its stamp
+  Pose T_world_lidar = Pose::Identity();  ///< at `stamp`; world = the LiDAR at the first scan's `stamp`
   Vector6d velocity = Vector6d::Zero();   ///< [rad/s, m/s] of the LiDAR in its own frame during the scan, as used for deskewing
-  AlignResult alignment;                  ///< of the registration; `T_target_source` may refer to another instant of the scan
+  AlignResult alignment;                  ///< of the registration that gave the pose
   ScanCounts counts;
   PointCloud filtered;                    ///< the scan without outliers, as measured (not deskewed)
 };

@@ -1,0 +1,53 @@
+#include <functional>
+
+#include <tilth/odometry/improved_floam.hpp>
+#include <tilth/odometry/make_odometry.hpp>
+
+namespace tilth {
+namespace {
+
+struct Pipeline {
+  PipelineInfo info;
+  std::function<std::unique_ptr<Odometry>(const OptionValues&)> make;
+  std::function<std::vector<OptionInfo>(const OptionValues&)> describe;
+};
+
+template <class P, class O>
+Pipeline pipeline(const std::string& name, const std::string& summary) {
+  return {{name, summary},
+          [](const OptionValues& values) { return std::make_unique<P>(with<O>(values)); },
+          [](const OptionValues& values) { return describe(with<O>(values)); }};
+}
+
+const std::vector<Pipeline>& all() {
+  static const std::vector<Pipeline> pipelines{
+      pipeline<ImprovedFloam, ImprovedFloamOptions>(
+          "improved_floam", "FLOAM with statistical outlier removal and GICP (Fu et al. 2026)"),
+  };
+  return pipelines;
+}
+
+const Pipeline& find(const std::string& name) {
+  std::string known;
+  for (const Pipeline& p : all()) {
+    if (p.info.name == name) return p;
+    known += (known.empty() ? "" : ", ") + p.info.name;
+  }
+  throw Error("pipeline " + name, "is not known, expected one of " + known);
+}
+
+}  // namespace
+
+std::vector<PipelineInfo> pipelines() {
+  std::vector<PipelineInfo> infos;
+  for (const Pipeline& p : all()) infos.push_back(p.info);
+  return infos;
+}
+
+std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionValues& values) { return find(name).make(values); }
+
+std::vector<OptionInfo> describe_odometry(const std::string& name, const OptionValues& values) {
+  return find(name).describe(values);
+}
+
+}  // namespace tilth

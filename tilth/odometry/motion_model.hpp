@@ -1,0 +1,33 @@
+// Constant velocity between scans, on their stamps: whoever drops a scan or turns slower does not change it.
+#pragma once
+
+#include <tilth/core/se3.hpp>
+
+namespace tilth {
+
+class ConstantVelocity {
+ public:
+  /// The pose expected at `time` [s], or, for a time before the last update, the one that was passed; the first pose before any update is the identity.
+  Pose predict(double time) const {
+    return updates_ == 0 ? Pose::Identity() : retract(T_world_lidar_, velocity_ * (time - time_));
+  }
+
+  /// Takes the pose found at `time`; the velocity is the motion since the last one.
+  void update(double time, const Pose& T_world_lidar) {
+    if (updates_ > 0 && time > time_) velocity_ = log(T_world_lidar_.inverse() * T_world_lidar) / (time - time_);
+    T_world_lidar_ = T_world_lidar;
+    time_ = time;
+    ++updates_;
+  }
+
+  const Vector6d& velocity() const { return velocity_; }  ///< [rad/s, m/s] in the LiDAR's own frame
+  int updates() const { return updates_; }
+
+ private:
+  Pose T_world_lidar_ = Pose::Identity();
+  Vector6d velocity_ = Vector6d::Zero();
+  double time_ = 0.0;
+  int updates_ = 0;
+};
+
+}  // namespace tilth

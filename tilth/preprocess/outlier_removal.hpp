@@ -1,0 +1,54 @@
+// Statistical outlier removal (SOR): Fu et al. 2026, section 2.3, with distance weights and a density-adaptive threshold,
+// beside the plain filter that PCL has. Works on a table of neighbours that other stages share.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include <tilth/core/options.hpp>
+#include <tilth/core/point_cloud.hpp>
+#include <tilth/search/scan_neighbors.hpp>
+
+namespace tilth {
+
+enum class OutlierMethod { none, plain, weighted };
+inline std::span<const std::string_view> names_of(OutlierMethod) {
+  static constexpr std::array<std::string_view, 3> names{"none", "plain", "weighted"};
+  return names;
+}
+
+/// The density term g of the threshold, as a function of x = rho_i / rho_avg; the paper's text allows two readings.
+enum class DensityTerm { none, inverse, difference };
+inline std::span<const std::string_view> names_of(DensityTerm) {
+  static constexpr std::array<std::string_view, 3> names{"none", "inverse", "difference"};
+  return names;
+}
+
+struct OutlierOptions {
+  OutlierMethod method = OutlierMethod::weighted;
+  int k = 10;
+  double alpha = 1.0;
+  DensityTerm density = DensityTerm::inverse;
+  double density_min = 0.0;
+  double density_max = 1.0;
+  bool per_range = true;
+};
+
+template <class V>
+void visit(OutlierOptions& o, V&& v) {
+  v("method", o.method, "[-] weighted: distances weighted and threshold adapted to density; plain: mean + alpha sigma, as PCL");
+  v("k", o.k, Bounds{2, 64}, "[points] nearest neighbours of each point");
+  v("alpha", o.alpha, Bounds{0, 100}, "[-] width of the threshold in standard deviations");
+  v("density", o.density, "[-] density term g(x) of the threshold, x = density / mean density: 1/x, or 1 - x");
+  v("density_min", o.density_min, Bounds{-1, 100}, "[-] least value of the density term");
+  v("density_max", o.density_max, Bounds{-1, 100}, "[-] greatest value of the density term");
+  v("per_range", o.per_range, "[-] measure distances in units of the range: a spinning LiDAR's spacing grows with it");
+}
+
+/// For each point of `cloud` 1 (kept) or 0 (outlier), from its row of `neighbors`. O(n k).
+std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors, const OutlierOptions& options);
+
+}  // namespace tilth
