@@ -31,16 +31,11 @@ ScanRow row_of(const Scan& scan, const OdometryResult& result) {
 
 std::string to_text(RunEnd end) {
   switch (end) {
-    case RunEnd::end_of_input:
-      return "end of input";
-    case RunEnd::max_scans:
-      return "as many scans as asked for";
-    case RunEnd::interrupted:
-      return "interrupted";
-    case RunEnd::bad_record:
-      return "a record that cannot be used (--strict)";
-    case RunEnd::input_broken:
-      return "the input breaks off";
+    case RunEnd::end_of_input: return "end of input";
+    case RunEnd::max_scans: return "as many scans as asked for";
+    case RunEnd::interrupted: return "interrupted";
+    case RunEnd::bad_record: return "a record that cannot be used (--strict)";
+    case RunEnd::input_broken: return "the input breaks off";
   }
   return {};
 }

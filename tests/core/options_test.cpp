@@ -44,7 +44,8 @@ std::string message_of(const OptionValues& values) {
 }
 
 TEST(Options, AreSetByKey) {
-  const auto o = with<OuterOptions>({{"inner.k", "12"}, {"inner.method", "plain"}, {"deskew", "false"}, {"inner.alpha", "0.25"}});
+  const auto o =
+      with<OuterOptions>({{"inner.k", "12"}, {"inner.method", "plain"}, {"deskew", "false"}, {"inner.alpha", "0.25"}});
   EXPECT_EQ(o.inner.k, 12);
   EXPECT_EQ(o.inner.method, Method::plain);
   EXPECT_FALSE(o.deskew);

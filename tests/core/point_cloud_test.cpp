@@ -47,7 +47,9 @@ TEST(PointCloud, TransformRotatesCovariances) {
 
 TEST(Parallel, SumsAreOrderedAndLoopsCoverEveryIndexOnce) {
   std::vector<int> seen(10007, 0);
-  parallel_for(seen.size(), 64, [&](std::size_t b, std::size_t e) { for (; b < e; ++b) ++seen[b]; });
+  parallel_for(seen.size(), 64, [&](std::size_t b, std::size_t e) {
+    for (; b < e; ++b) ++seen[b];
+  });
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 10007);
   const auto sum = [] {
     return parallel_sum<double>(10007, 64, [](std::size_t b, std::size_t e) {

@@ -11,7 +11,8 @@ namespace {
 std::vector<Vector6d> tangents() {
   std::vector<Vector6d> all;
   for (const double angle : {0.0, 1e-9, 1e-6, 1e-5, 2e-4, 1e-3, 0.1, 1.0, 2.0, 3.0, std::numbers::pi - 1e-7}) {
-    for (const Eigen::Vector3d& axis : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-2, 1, 0.5), Eigen::Vector3d(0, 3, -4)}) {
+    for (const Eigen::Vector3d& axis :
+         {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-2, 1, 0.5), Eigen::Vector3d(0, 3, -4)}) {
       Vector6d xi;
       xi << angle * axis.normalized(), 0.3, -20.0, 7.0;
       all.push_back(xi);

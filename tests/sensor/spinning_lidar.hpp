@@ -82,26 +82,16 @@ inline RecordField coordinate_field(int axis, FieldType type = FieldType::f32) {
 inline void store(double value, FieldType type, std::byte* to) {
   const auto put = [to](auto typed) { std::memcpy(to, &typed, sizeof typed); };
   switch (type) {
-    case FieldType::i8:
-      return put(std::int8_t(value));
-    case FieldType::u8:
-      return put(std::uint8_t(value));
-    case FieldType::i16:
-      return put(std::int16_t(value));
-    case FieldType::u16:
-      return put(std::uint16_t(value));
-    case FieldType::i32:
-      return put(std::int32_t(value));
-    case FieldType::u32:
-      return put(std::uint32_t(value));
-    case FieldType::i64:
-      return put(std::int64_t(value));
-    case FieldType::u64:
-      return put(std::uint64_t(value));
-    case FieldType::f32:
-      return put(float(value));
-    case FieldType::f64:
-      return put(value);
+    case FieldType::i8: return put(std::int8_t(value));
+    case FieldType::u8: return put(std::uint8_t(value));
+    case FieldType::i16: return put(std::int16_t(value));
+    case FieldType::u16: return put(std::uint16_t(value));
+    case FieldType::i32: return put(std::int32_t(value));
+    case FieldType::u32: return put(std::uint32_t(value));
+    case FieldType::i64: return put(std::int64_t(value));
+    case FieldType::u64: return put(std::uint64_t(value));
+    case FieldType::f32: return put(float(value));
+    case FieldType::f64: return put(value);
   }
 }
 

@@ -2,10 +2,10 @@
 //
 //   template <class V> void visit(SorOptions& o, V&& v) {
 //     v("k", o.k, Bounds{3, 64}, "[points] neighbours of each point");
-//     v("method", o.method, "[-] ...");            // an enum with `names_of(Method)`; bool, std::string and nested options alike
+//     v("method", o.method, "[-] ...");  // an enum with `names_of(Method)`; bool, std::string and nested options alike
 //   }
 //
-// from which YAML, the command line, `tilth config` and the documents all read. A doc text begins with its unit in brackets.
+// from which YAML, the command line, `tilth config` and the documents all read. A meaning begins with its [unit].
 #pragma once
 
 #include <charconv>
@@ -51,7 +51,9 @@ std::string joined(std::span<const std::string_view> names);
 }  // namespace options_detail
 
 template <class T>
-concept Options = requires(T& o) { visit(o, options_detail::AnyVisitor{}); };
+concept Options = requires(T& o) {
+  visit(o, options_detail::AnyVisitor{});
+};
 
 template <class T>
 concept NamedEnum = std::is_enum_v<T> && requires(T e) {
@@ -62,18 +64,26 @@ namespace options_detail {
 
 template <class T>
 std::string to_text(const T& field) {
-  if constexpr (std::same_as<T, bool>) return field ? "true" : "false";
-  else if constexpr (std::same_as<T, std::string>) return field;
-  else if constexpr (NamedEnum<T>) return std::string(std::span<const std::string_view>(names_of(field))[std::size_t(field)]);
-  else return number_text(double(field));
+  if constexpr (std::same_as<T, bool>)
+    return field ? "true" : "false";
+  else if constexpr (std::same_as<T, std::string>)
+    return field;
+  else if constexpr (NamedEnum<T>)
+    return std::string(std::span<const std::string_view>(names_of(field))[std::size_t(field)]);
+  else
+    return number_text(double(field));
 }
 
 template <class T>
 std::string allowed(Bounds bounds) {
-  if constexpr (std::same_as<T, bool>) return "true | false";
-  else if constexpr (std::same_as<T, std::string>) return "text";
-  else if constexpr (NamedEnum<T>) return joined(names_of(T{}));
-  else return number_text(bounds.min) + " .. " + number_text(bounds.max);
+  if constexpr (std::same_as<T, bool>)
+    return "true | false";
+  else if constexpr (std::same_as<T, std::string>)
+    return "text";
+  else if constexpr (NamedEnum<T>)
+    return joined(names_of(T{}));
+  else
+    return number_text(bounds.min) + " .. " + number_text(bounds.max);
 }
 
 template <class T>
@@ -83,7 +93,8 @@ void parse_number(const std::string& key, const std::string& text, T& field, Bou
   if (error != std::errc{} || end != text.data() + text.size()) {
     refuse(key, text, std::is_integral_v<T> ? "a whole number" : "a number");
   }
-  if (!(double(value) >= bounds.min && double(value) <= bounds.max)) refuse(key, text, "a value in " + allowed<T>(bounds));
+  if (!(double(value) >= bounds.min && double(value) <= bounds.max))
+    refuse(key, text, "a value in " + allowed<T>(bounds));
   field = value;
 }
 
@@ -119,8 +130,10 @@ struct Reader {
   }
   template <class T>
   void operator()(std::string_view name, T& field, std::string_view meaning) const {
-    if constexpr (Options<T>) visit(field, Reader{values, prefix + std::string(name) + "."});
-    else (*this)(name, field, Bounds{}, meaning);
+    if constexpr (Options<T>)
+      visit(field, Reader{values, prefix + std::string(name) + "."});
+    else
+      (*this)(name, field, Bounds{}, meaning);
   }
 };
 
@@ -136,8 +149,10 @@ struct Writer {
   }
   template <class T>
   void operator()(std::string_view name, T& field, std::string_view doc) const {
-    if constexpr (Options<T>) visit(field, Writer{rows, prefix + std::string(name) + "."});
-    else (*this)(name, field, Bounds{}, doc);
+    if constexpr (Options<T>)
+      visit(field, Writer{rows, prefix + std::string(name) + "."});
+    else
+      (*this)(name, field, Bounds{}, doc);
   }
 };
 

@@ -12,11 +12,11 @@
 namespace tilth {
 
 struct PointCloud {
-  std::vector<Eigen::Vector3d> points;      ///< [m], in the LiDAR frame unless the variable's name says otherwise
-  std::vector<float> intensities;           ///< as the sensor gives them
-  std::vector<float> times;                 ///< [s] >= 0, since the stamp of the scan (its first point)
-  std::vector<std::uint16_t> rings;         ///< 0 = lowest beam
-  std::vector<Eigen::Matrix3d> covariances; ///< [m^2] of each point's neighbourhood
+  std::vector<Eigen::Vector3d> points;       ///< [m], in the LiDAR frame unless the variable's name says otherwise
+  std::vector<float> intensities;            ///< as the sensor gives them
+  std::vector<float> times;                  ///< [s] >= 0, since the stamp of the scan (its first point)
+  std::vector<std::uint16_t> rings;          ///< 0 = lowest beam
+  std::vector<Eigen::Matrix3d> covariances;  ///< [m^2] of each point's neighbourhood
 
   std::size_t size() const { return points.size(); }
   bool empty() const { return points.empty(); }

@@ -1,5 +1,5 @@
-// Points as formats store them: records of named, typed fields. PCD, PLY, KITTI .bin and PointCloud2 all come down to this;
-// what the fields mean (ring, time and its unit) is decided elsewhere.
+// Points as formats store them: records of named, typed fields. PCD, PLY, KITTI .bin and PointCloud2 all come down to
+// this; what the fields mean (ring, time and its unit) is decided elsewhere.
 #pragma once
 
 #include <bit>

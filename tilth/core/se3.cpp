@@ -63,9 +63,13 @@ Pose normalized(const Pose& T) {
   return N;
 }
 
-Pose retract(const Pose& T, const Vector6d& xi) { return normalized(T * exp(xi)); }
+Pose retract(const Pose& T, const Vector6d& xi) {
+  return normalized(T * exp(xi));
+}
 
-double angle_of(const Pose& T) { return rotation_log(T.linear()).norm(); }
+double angle_of(const Pose& T) {
+  return rotation_log(T.linear()).norm();
+}
 
 Pose interpolate(const Pose& a, const Pose& b, double s) {
   return normalized(a * exp(s * log(a.inverse(Eigen::Isometry) * b)));

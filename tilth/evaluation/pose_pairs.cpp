@@ -71,13 +71,11 @@ std::vector<PosePair> nearest_pairs(const std::vector<double>& values, const Pai
 
 std::vector<PosePair> pairs_of(const Trajectory& trajectory, const PairOptions& options) {
   switch (options.unit) {
-    case DeltaUnit::frames:
-      return frame_pairs(trajectory.size(), std::size_t(options.delta), options.all_pairs);
+    case DeltaUnit::frames: return frame_pairs(trajectory.size(), std::size_t(options.delta), options.all_pairs);
     case DeltaUnit::meters:
       if (!options.all_pairs) return consecutive_path_pairs(trajectory, options.delta);
       return nearest_pairs(path_of(trajectory), options);
-    case DeltaUnit::seconds:
-      return nearest_pairs(stamps_of(trajectory), options);
+    case DeltaUnit::seconds: return nearest_pairs(stamps_of(trajectory), options);
   }
   return {};
 }

@@ -74,26 +74,16 @@ std::optional<std::uint64_t> to_count(std::string_view word) {
 
 bool store_number(std::string_view word, FieldType type, std::byte* target) {
   switch (type) {
-    case FieldType::i8:
-      return store<std::int8_t>(word, target);
-    case FieldType::u8:
-      return store<std::uint8_t>(word, target);
-    case FieldType::i16:
-      return store<std::int16_t>(word, target);
-    case FieldType::u16:
-      return store<std::uint16_t>(word, target);
-    case FieldType::i32:
-      return store<std::int32_t>(word, target);
-    case FieldType::u32:
-      return store<std::uint32_t>(word, target);
-    case FieldType::i64:
-      return store<std::int64_t>(word, target);
-    case FieldType::u64:
-      return store<std::uint64_t>(word, target);
-    case FieldType::f32:
-      return store<float>(word, target);
-    case FieldType::f64:
-      return store<double>(word, target);
+    case FieldType::i8: return store<std::int8_t>(word, target);
+    case FieldType::u8: return store<std::uint8_t>(word, target);
+    case FieldType::i16: return store<std::int16_t>(word, target);
+    case FieldType::u16: return store<std::uint16_t>(word, target);
+    case FieldType::i32: return store<std::int32_t>(word, target);
+    case FieldType::u32: return store<std::uint32_t>(word, target);
+    case FieldType::i64: return store<std::int64_t>(word, target);
+    case FieldType::u64: return store<std::uint64_t>(word, target);
+    case FieldType::f32: return store<float>(word, target);
+    case FieldType::f64: return store<double>(word, target);
   }
   return false;
 }

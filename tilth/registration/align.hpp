@@ -31,7 +31,8 @@ void visit(AlignOptions& o, V&& v) {
   v("fitness_epsilon", o.fitness_epsilon, Bounds{0, 1}, "[-] stop when the mean error changes by a smaller share");
   v("kernel", o.kernel, "[-] robust kernel on each pair");
   v("kernel_width", o.kernel_width, Bounds{1e-9, 1e9}, "[-] residual at which the kernel begins to act");
-  v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1}, "[-] a direction with less information than this share of the best one is degenerate");
+  v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
+    "[-] a direction with less information than this share of the best one is degenerate");
   v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept");
 }
 
@@ -39,8 +40,8 @@ void visit(AlignOptions& o, V&& v) {
 struct LinearSystem {
   Matrix6d H = Matrix6d::Zero();
   Vector6d b = Vector6d::Zero();
-  double error = 0.0;           ///< 1/2 sum of weighted squared residuals
-  double squared_range = 0.0;   ///< [m^2] sum over the source points
+  double error = 0.0;          ///< 1/2 sum of weighted squared residuals
+  double squared_range = 0.0;  ///< [m^2] sum over the source points
   std::size_t matches = 0;
 };
 
@@ -64,8 +65,8 @@ bool solve(const LinearSystem& system, Vector6d& step);
 /// Fills information, covariance and degenerate directions from the last system.
 void diagnose(const LinearSystem& system, const AlignOptions& options, AlignResult& result);
 
-/// Moves T_init until the pairs of all `associate(T) -> vector of Residual` agree. The pairs, and whatever they derive from
-/// T, are made anew in every iteration. Too few pairs: T_init comes back, not converged.
+/// Moves T_init until the pairs of all `associate(T) -> vector of Residual` agree. The pairs, and whatever they derive
+/// from T, are made anew in every iteration. Too few pairs: T_init comes back, not converged.
 template <class... Associations>
 AlignResult align(const Pose& T_init, const AlignOptions& options, const Associations&... associate) {
   AlignResult result{.T_target_source = T_init};
@@ -74,7 +75,9 @@ AlignResult align(const Pose& T_init, const AlignOptions& options, const Associa
   double last_error = -1;
   while (result.iterations < options.max_iterations && !result.converged) {
     system = LinearSystem();
-    const auto add = [&](const auto& pairs) { accumulate(system, std::span(pairs.data(), pairs.size()), result.T_target_source, kernel); };
+    const auto add = [&](const auto& pairs) {
+      accumulate(system, std::span(pairs.data(), pairs.size()), result.T_target_source, kernel);
+    };
     (add(associate(result.T_target_source)), ...);
     ++result.iterations;
     Vector6d step;
@@ -84,7 +87,8 @@ AlignResult align(const Pose& T_init, const AlignOptions& options, const Associa
     }
     result.T_target_source = retract(result.T_target_source, step);
     const double error = system.error / double(system.matches);
-    const bool still = step.head<3>().norm() < options.transformation_epsilon && step.tail<3>().norm() < options.transformation_epsilon;
+    const bool still = step.head<3>().norm() < options.transformation_epsilon &&
+                       step.tail<3>().norm() < options.transformation_epsilon;
     result.converged = still || std::abs(error - last_error) <= options.fitness_epsilon * error;
     last_error = error;
   }

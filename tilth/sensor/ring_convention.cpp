@@ -105,14 +105,10 @@ void RingConvention::decide_from_points(std::span<const MeasuredPoints> scans) {
 
 std::vector<std::uint16_t> RingConvention::rings_of(const MeasuredPoints& scan) const {
   switch (from_) {
-    case From::field:
-      return rings_by_field(scan);
-    case From::beams:
-      return nearest_beams(scan.points, beams_);
-    case From::rows:
-      return rings_by_row(scan);
-    case From::nothing:
-      break;
+    case From::field: return rings_by_field(scan);
+    case From::beams: return nearest_beams(scan.points, beams_);
+    case From::rows: return rings_by_row(scan);
+    case From::nothing: break;
   }
   return {};
 }

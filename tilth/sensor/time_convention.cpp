@@ -40,14 +40,11 @@ const char* meaning_of(TimeReference reference, double middle) {
     case TimeReference::stamp:
       return middle < 0.0 ? "relative to the end of the scan, which the stamp marks"
                           : "since the start of the scan, which the stamp marks";
-    case TimeReference::end_stamp:
-      return "since the start of the scan, while the stamp marks its end";
-    case TimeReference::absolute:
-      return "absolute, on the clock of the stamps";
+    case TimeReference::end_stamp: return "since the start of the scan, while the stamp marks its end";
+    case TimeReference::absolute: return "absolute, on the clock of the stamps";
     case TimeReference::other_clock:
       return "absolute on another clock than the stamps, which are taken for the first point";
-    case TimeReference::points_clock:
-      return "absolute; they also give the stamps";
+    case TimeReference::points_clock: return "absolute; they also give the stamps";
   }
   return "";
 }
@@ -65,15 +62,11 @@ bool is_relative(TimeReference reference) {
 /// [s] of the first point, whose own time is `first`, in a scan of `duration` with the stamp `stamp`.
 double stamp_of_first(TimeReference reference, double stamp, double first, double duration) {
   switch (reference) {
-    case TimeReference::stamp:
-      return stamp + first;
-    case TimeReference::end_stamp:
-      return stamp - duration;
-    case TimeReference::other_clock:
-      return stamp;
+    case TimeReference::stamp: return stamp + first;
+    case TimeReference::end_stamp: return stamp - duration;
+    case TimeReference::other_clock: return stamp;
     case TimeReference::absolute:
-    case TimeReference::points_clock:
-      break;
+    case TimeReference::points_clock: break;
   }
   return first;
 }

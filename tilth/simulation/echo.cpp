@@ -17,12 +17,9 @@ constexpr double kPastSurface = 1e-4;    // [m] by which a beam that goes on sta
 
 double grazing_limit(Material material) {
   switch (material) {
-    case Material::metal:
-      return kMetalGrazing;
-    case Material::glossy:
-      return kGlossyGrazing;
-    default:
-      return kGrazing;
+    case Material::metal: return kMetalGrazing;
+    case Material::glossy: return kGlossyGrazing;
+    default: return kGrazing;
   }
 }
 

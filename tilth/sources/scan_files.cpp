@@ -40,14 +40,10 @@ std::optional<double> time_in(const std::string& name) {
   if (std::from_chars(name.data(), name.data() + name.size(), value).ec != std::errc{}) return std::nullopt;
   if (point != std::string::npos && point + 1 < name.size()) return value;
   switch (digits) {
-    case 13:
-      return value * 1e-3;
-    case 16:
-      return value * 1e-6;
-    case 19:
-      return value * 1e-9;
-    default:
-      return std::nullopt;
+    case 13: return value * 1e-3;
+    case 16: return value * 1e-6;
+    case 19: return value * 1e-9;
+    default: return std::nullopt;
   }
 }
 
