@@ -1,10 +1,10 @@
 // tilth evaluate: an estimated trajectory against the true one.
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <string>
 
 #include "commands.hpp"
+#include "option_flags.hpp"
 #include <tilth/evaluation/evaluate.hpp>
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/pose_file.hpp>
@@ -17,25 +17,6 @@ struct EvaluateArguments {
   std::string truth, estimate, json;
   OptionValues values;
 };
-
-std::string flag_of(std::string key) {
-  std::replace(key.begin(), key.end(), '_', '-');
-  return "--" + key;
-}
-
-/// Every option of the evaluation as a flag of the command: "rpe_delta" as --rpe-delta.
-void add_flags(CLI::App& command, OptionValues& values) {
-  for (const OptionInfo& option : describe(EvaluationOptions{})) {
-    const auto set = [&values, key = option.key](const std::string& value) { values[key] = value; };
-    if (option.allowed == "true | false") {
-      command.add_flag_callback(
-          flag_of(option.key), [set] { set("true"); }, option.meaning);
-    } else {
-      command.add_option_function<std::string>(flag_of(option.key), set, "[" + option.unit + "] " + option.meaning)
-          ->option_text(option.allowed + " (" + option.value + ")");
-    }
-  }
-}
 
 void evaluate_files(const EvaluateArguments& arguments) {
   const auto options = with<EvaluationOptions>(arguments.values);
@@ -53,7 +34,7 @@ void add_evaluate(CLI::App& app, int&) {
   CLI::App* command = app.add_subcommand("evaluate", "Compare a trajectory with the truth: APE, RPE, KITTI segments");
   command->add_option("TRUTH", arguments->truth, "true trajectory: TUM, or KITTI poses")->required();
   command->add_option("ESTIMATE", arguments->estimate, "trajectory to judge: TUM, or KITTI poses")->required();
-  add_flags(*command, arguments->values);
+  add_option_flags(*command, describe(EvaluationOptions{}), arguments->values);
   command->add_option("--json", arguments->json, "file to write every statistic to, as JSON");
   command->callback([arguments] { evaluate_files(*arguments); });
 }

@@ -1,8 +1,10 @@
 // tilth: one binary, one file a subcommand.
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
 #include "commands.hpp"
+#include "option_arguments.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app{"Tilth: trajectory and map from the scans of one spinning LiDAR, and nothing else."};
@@ -16,7 +18,9 @@ int main(int argc, char** argv) {
   tilth::app::add_evaluate(app, exit_code);
   tilth::app::add_simulate(app, exit_code);
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> arguments = tilth::app::spread_settings({argv + 1, std::size_t(argc - 1)});
+    std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
+    app.parse(std::move(arguments));
   } catch (const CLI::ParseError& e) {
     return app.exit(e);
   } catch (const std::exception& e) {

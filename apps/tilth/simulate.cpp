@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "option_arguments.hpp"
 #include "recording_folder.hpp"
 #include <tilth/core/parallel.hpp>
 
@@ -20,18 +21,8 @@ struct SimulateArguments {
   bool quiet = false;
 };
 
-OptionValues values_of(const std::vector<std::string>& settings) {
-  OptionValues values;
-  for (const std::string& setting : settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0) throw Error("--set " + setting, "is no key=value");
-    values[setting.substr(0, equals)] = setting.substr(equals + 1);
-  }
-  return values;
-}
-
 void simulate(const SimulateArguments& arguments) {
-  const SimulationOptions options = simulation_options(arguments.scene, values_of(arguments.settings));
+  const SimulationOptions options = simulation_options(arguments.scene, parse_settings(arguments.settings));
   const Simulator simulator(arguments.scene, options);
   RecordingFolder folder(arguments.out, scan_format(arguments.format));
   folder.write_recipe(arguments.scene, options);
@@ -75,8 +66,7 @@ void add_simulate(CLI::App& app, int&) {
   command->add_option("scene", arguments->scene, "One of " + scenes)->required();
   command->add_option("--out", arguments->out, "Folder to write to")->required();
   command->add_option("--format", arguments->format, "pcd (default), kitti or bag");
-  command->add_option("--set", arguments->settings, "key=value: any option listed below; may be repeated")
-      ->allow_extra_args(false);
+  add_settings(*command, arguments->settings, "Any options listed below");
   add_setting(*command, *arguments, "sensor", "leishen_c16, vlp16, hdl32 or hdl64");
   add_setting(*command, *arguments, "seed", "Of the scene and of the noise");
   add_setting(*command, *arguments, "duration", "[s] at most");
