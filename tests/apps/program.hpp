@@ -43,6 +43,12 @@ class Program {
   void signal(int signal) const { ::kill(id_, signal); }
   std::string out_so_far() const { return text_of(folder_ / "out"); }
 
+  bool running() const {
+    siginfo_t ended{};
+    ::waitid(P_PID, id_t(id_), &ended, WEXITED | WNOHANG | WNOWAIT);
+    return ended.si_pid == 0;
+  }
+
   Outcome wait() const {
     int status = 0;
     ::waitpid(id_, &status, 0);

@@ -111,7 +111,7 @@ TEST_F(Run, JudgesItselfByTheTruth) {
 TEST_F(Run, WritesWhatItHasWhenInterrupted) {
   write_room(scans_, 400);
   const Program program({"run", scans_.string(), "--out", (folder_ / "out").string()});
-  while (program.out_so_far().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  while (program.running() && program.out_so_far().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   program.signal(SIGINT);
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.exit_code, 128 + SIGINT) << outcome.err;
