@@ -10,7 +10,11 @@ function(tilth_python_test name script)
   set(command
       [[if [ -x "$0/.venv/bin/python" ]; then exec "$0/.venv/bin/python" "$@"; fi; exec "${TILTH_PYTHON:-$PYTHON3}" "$@"]])
   add_test(NAME ${name} COMMAND sh -c "${command}" ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/tests/${script} ${ARGN})
-  set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "PYTHON3=${Python3_EXECUTABLE}")
+  set_tests_properties(
+    ${name}
+    PROPERTIES SKIP_RETURN_CODE 77
+               COST 1 # the others have none: these, the longest, begin first
+               ENVIRONMENT "PYTHON3=${Python3_EXECUTABLE};OPENBLAS_NUM_THREADS=1")
 endfunction()
 
 if(BUILD_TESTING)

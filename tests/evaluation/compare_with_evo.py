@@ -34,10 +34,10 @@ RELATIONS = {
 }
 
 
-def rpe_choices(pair):
-    """Settings of RPE: evo's arguments and the command's."""
+def rpe_choices(pair, alignment):
+    """Settings of RPE: evo's arguments and the command's. A rigid alignment leaves relative poses alone: one is enough."""
     frames, metres = (Unit.frames, "frames"), (Unit.meters, "m")
-    for (unit, name), delta, all_pairs, from_truth in (
+    choices = (
         (frames, 1, False, False),
         (frames, 5, False, False),
         (frames, 5, True, False),
@@ -45,7 +45,8 @@ def rpe_choices(pair):
         (metres, pair.metres, True, False),
         (metres, pair.metres, False, True),
         (metres, pair.metres, True, True),
-    ):
+    )
+    for (unit, name), delta, all_pairs, from_truth in choices[:1] if alignment in ("origin", "se3") else choices:
         evo = dict(delta=delta, delta_unit=unit, all_pairs=all_pairs, pairs_from_reference=from_truth)
         flags = ["--rpe-delta", str(delta), "--rpe-unit", name]
         yield evo, flags + ["--all-pairs"] * all_pairs + ["--pairs-from-truth"] * from_truth
@@ -123,7 +124,7 @@ def compare_alignment(program, pair, files, matches, alignment, comparison):
         ape = judge_with_evo(truth, estimate, metrics.APE)
     except EvoException:
         ape = None
-    for settings, rpe_flags in rpe_choices(pair):
+    for settings, rpe_flags in rpe_choices(pair, alignment):
         what = f"{pair.name}, align {alignment}, {' '.join(rpe_flags)}"
         ours = judge_with_tilth(program, pair, files, flags + rpe_flags)
         if ape is None or alignment in pair.own_refusals:
