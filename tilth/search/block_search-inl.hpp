@@ -9,9 +9,8 @@
 #endif
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 #include <utility>
+
 #include <hwy/highway.h>
 
 #include <tilth/search/candidate_rows-inl.hpp>
@@ -56,14 +55,10 @@ class BlockSearch {
   using Floats = hn::Vec<D>;
   using Ints = hn::Vec<DI>;
   using Mask = hn::Mask<D>;
+  using Rows = CandidateRows<kKept>;
   static constexpr std::uint32_t kLanes = HWY_LANES(float);
-  static constexpr std::uint32_t kMostCandidates = CandidateRows<kKept>::kMostCandidates;
-  static constexpr std::size_t kWanted =
-      kKept - 2;  // a key more shows ties, another leaves fewer of them to be settled
-  static constexpr std::uint32_t kPatience = kKept / 2 + 10;  // offsets after which a few lanes are left alone
-  static constexpr std::uint32_t kReach = kKept / 2 + 24;     // offsets after which all are
-  static constexpr std::size_t kFewLanes = kLanes / 8;
-  static constexpr Elevation kZenith{1.5707964f, 1.0f, 0.0f}, kNadir{-1.5707964f, -1.0f, 0.0f};
+  static constexpr std::uint32_t kPatience = kKept / 2 + 24;      // offsets after which one lane in eight is left
+  static constexpr std::uint32_t kReach = RingLayout::kPad - 24;  // offsets after which all are
 
   struct Block {
     Queries<D> queries;
@@ -79,29 +74,28 @@ class BlockSearch {
 
   HWY_INLINE Ints key_of(Block& b, std::uint32_t slot) {
     const Floats squared = squared_distance(D(), b.queries, l_, slot);
-    hn::Store(squared, D(), rows_.distances + b.count * kLanes);
-    rows_.slots[b.count] = slot;
+    rows_.set(b.count, squared, &l_.index[slot]);
     const Ints upper = hn::And(hn::BitCast(DI(), squared), hn::Set(DI(), ~kNumberBits));
     return hn::Or(upper, hn::Set(DI(), std::int32_t(b.count++)));
   }
 
   HWY_INLINE void renew_limit(Block& b) {
-    const Ints farthest = hn::Or(b.keys[kWanted - 1], hn::Set(DI(), kNumberBits));
+    const Ints farthest = hn::Or(b.keys[Rows::kWanted - 1], hn::Set(DI(), kNumberBits));
     b.limit = hn::IfThenElseZero(hn::RebindMask(DI(), b.active), farthest);
   }
 
   HWY_INLINE void add(Block& b, std::uint32_t slot) {
     const Ints key = key_of(b, slot);
     if (hn::AllFalse(DI(), hn::Lt(key, b.limit))) return;
-    insert_key(b.keys, key);
+    insert_key(DI(), b.keys, key);
     renew_limit(b);
   }
 
   HWY_INLINE void add_two(Block& b, std::uint32_t first, std::uint32_t second) {
     const Ints key1 = key_of(b, first), key2 = key_of(b, second);
     if (hn::AllFalse(DI(), hn::Lt(hn::Min(key1, key2), b.limit))) return;
-    insert_key(b.keys, key1);
-    insert_key(b.keys, key2);
+    insert_key(DI(), b.keys, key1);
+    insert_key(DI(), b.keys, key2);
     renew_limit(b);
   }
 
@@ -115,8 +109,8 @@ class BlockSearch {
   // True if the lanes in `open` are worth going on for after `seen` offsets; else they are left.
   HWY_INLINE bool go_on(Block& b, Mask open, std::uint32_t seen) {
     if (hn::AllFalse(D(), open)) return false;
-    const bool few = seen > kPatience && hn::CountTrue(D(), open) <= kFewLanes;
-    if (!few && seen < kReach && b.count + 3 < kMostCandidates) return true;
+    const bool few = seen > kPatience && hn::CountTrue(D(), open) <= kLanes / 8;
+    if (!few && seen < kReach && b.count + 3 < Rows::kMostCandidates) return true;
     leave(b, open);
     return false;
   }
@@ -135,7 +129,7 @@ class BlockSearch {
   }
 
   // Looks at the offsets beyond `seen` from `slot`, on each side until the bound closes it.
-  HWY_INLINE void expand(Block& b, std::uint32_t slot, std::uint32_t seen, std::uint32_t count, const Ring* other) {
+  HWY_NOINLINE void expand(Block& b, std::uint32_t slot, std::uint32_t seen, std::uint32_t count, const Ring* other) {
     std::uint32_t left = seen, right = seen;
     bool left_open = true, right_open = true;
     while ((left_open || right_open) && left + right + 2 < count) {
@@ -158,30 +152,36 @@ class BlockSearch {
   HWY_INLINE void search_ring(Block& b, const Ring& ring, float azimuth) {
     if (!reaches(b, ring.low, ring.high)) return;
     const std::uint32_t slot = lone_.locate(ring, azimuth) - kLanes / 2;
-    if (b.count + 3 >= kMostCandidates) return leave(b, b.active);
+    if (b.count + 3 >= Rows::kMostCandidates) return leave(b, b.active);
     add(b, slot);
     expand(b, slot, 0, ring.count, &ring);
   }
 
   void search_alone(std::uint32_t slot, std::uint32_t lanes) {
-    for (std::uint32_t i = 0; i < lanes; ++i) lone_.search(ring_, slot + i, std::numeric_limits<float>::infinity());
+    for (std::uint32_t i = 0; i < lanes; ++i) {
+      NearestRow nearest(table_.k);
+      lone_.search(ring_, slot + i, nearest);
+      nearest.write(lone_.row(slot + i));
+    }
   }
 
-  void search_lane(std::uint32_t slot, std::uint32_t lane) {
-    lone_.search(ring_, slot, std::bit_cast<float>(rows_.keys[(table_.k - 1) * kLanes + lane] | kNumberBits));
+  // Rows that the keys do not tell: of left lanes, some of whose neighbours are known, and those with ties.
+  HWY_NOINLINE void settle(std::uint32_t slot, std::uint32_t lane, bool active) {
+    NearestRow nearest(table_.k);
+    rows_.offer(lane, nearest);
+    if (!active || !rows_.offer_ties(lane, nearest)) lone_.search(ring_, slot, nearest);
+    nearest.write(lone_.row(slot));
   }
 
   HWY_INLINE void write_rows(const Block& b, std::uint32_t lanes) {
-    HWY_UNROLL(64) for (std::size_t j = 0; j < kKept; ++j) hn::Store(b.keys[j], DI(), rows_.keys + j * kLanes);
-    const std::uint32_t active = lane_bits(D(), b.active), ties = lanes_with_ties<kWanted + 1>(DI(), b.keys);
+    rows_.set_keys(b.keys);
+    const std::uint32_t active = lane_bits(D(), b.active);
+    const std::uint32_t clear = active & ~lanes_with_ties<Rows::kWanted + 1>(DI(), b.keys);
     for (std::uint32_t lane = 0; lane < lanes; ++lane) {
-      const std::uint32_t slot = b.slot + lane;
-      if ((active >> lane & 1) == 0) {
-        search_lane(slot, lane);
-      } else if ((ties >> lane & 1) != 0) {
-        if (!rows_.write_with_ties(l_, lane, lone_.row(slot))) search_lane(slot, lane);
+      if ((clear >> lane & 1) != 0) {
+        rows_.write(lane, lone_.row(b.slot + lane));
       } else {
-        rows_.write(l_, lane, lone_.row(slot));
+        settle(b.slot + lane, lane, (active >> lane & 1) != 0);
       }
     }
   }
@@ -190,7 +190,7 @@ class BlockSearch {
   const NeighborTable& table_;
   LoneSearch lone_;
   std::uint32_t ring_ = 0;
-  CandidateRows<kKept> rows_;
+  Rows rows_;
 };
 
 }  // namespace

@@ -43,11 +43,13 @@ inline void box_of(ChunkBoxes& boxes, const RingLayout& l, std::uint32_t slot, s
   boxes.counts.push_back(count);
 }
 
-/// Boxes of all rings, and far away ones to fill the last vector.
+/// Boxes of all rings, sector by sector, and far away ones to fill the last vector.
 inline void fill_boxes(ChunkBoxes& boxes, const RingLayout& l) {
-  for (const Ring& ring : l.rings) {
-    for (std::uint32_t i = 0; i < ring.count; i += kChunk) {
-      box_of(boxes, l, ring.begin + i, std::min(kChunk, ring.count - i));
+  std::uint32_t longest = 0;
+  for (const Ring& ring : l.rings) longest = std::max(longest, ring.count);
+  for (std::uint32_t i = 0; i < longest; i += kChunk) {
+    for (const Ring& ring : l.rings) {
+      if (i < ring.count) box_of(boxes, l, ring.begin + i, std::min(kChunk, ring.count - i));
     }
   }
   for (auto* bounds : {&boxes.low_x, &boxes.high_x, &boxes.low_y, &boxes.high_y, &boxes.low_z, &boxes.high_z}) {

@@ -20,6 +20,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+constexpr Elevation kZenith{1.5707964f, 1.0f, 0.0f}, kNadir{-1.5707964f, -1.0f, 0.0f};
+
 /// Points of a scan, a lane each, with what their bounds need.
 template <class D>
 struct Queries {

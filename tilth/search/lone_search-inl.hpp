@@ -17,37 +17,13 @@
 #include <tilth/search/chunk_boxes-inl.hpp>
 #include <tilth/search/direction_bound-inl.hpp>
 #include <tilth/search/nearest_keys-inl.hpp>
+#include <tilth/search/nearest_row.hpp>
 #include <tilth/search/scan_kernel.hpp>
 
 HWY_BEFORE_NAMESPACE();
 namespace tilth {
 namespace HWY_NAMESPACE {
 namespace {
-
-/// A row of the table while it is filled: the nearest so far, by distance, then by index.
-struct Row {
-  float* distances;
-  std::uint32_t* indices;
-  std::size_t k;
-  float limit;  ///< nothing farther is of use
-  std::size_t count = 0;
-
-  HWY_INLINE bool before(std::size_t j, float distance, std::uint32_t index) const {
-    return distances[j] < distance || (distances[j] == distance && indices[j] < index);
-  }
-
-  HWY_INLINE void insert(float distance, std::uint32_t index) {
-    if (count == k && before(k - 1, distance, index)) return;
-    std::size_t j = count < k ? count++ : k - 1;
-    for (; j > 0 && !before(j - 1, distance, index); --j) {
-      distances[j] = distances[j - 1];
-      indices[j] = indices[j - 1];
-    }
-    distances[j] = distance;
-    indices[j] = index;
-    if (count == k) limit = std::min(limit, distances[k - 1]);
-  }
-};
 
 class LoneSearch {
  public:
@@ -57,10 +33,10 @@ class LoneSearch {
     boxes_.clear();
   }
 
-  /// The row of the point in `slot`, empty, open to what lies within `limit`.
-  HWY_INLINE Row row(std::uint32_t slot, float limit = std::numeric_limits<float>::infinity()) {
+  /// Where the table has the row of the point in `slot`.
+  HWY_INLINE Row row(std::uint32_t slot) {
     const std::size_t begin = l_.index[slot] * table_.k;
-    return {table_.squared_distances.data() + begin, table_.indices.data() + begin, table_.k, limit};
+    return {table_.squared_distances.data() + begin, table_.indices.data() + begin, table_.k};
   }
 
   /// The first slot of a ring whose azimuth is not below `azimuth`, up to the ring's end.
@@ -74,10 +50,11 @@ class LoneSearch {
     return ring.begin + i;
   }
 
-  /// Fills the row of the point in `slot` of a ring. There must be k points within the squared distance `limit`.
-  void search(std::uint32_t ring, std::uint32_t slot, float limit) {
-    Lone p{Queries<One>(One(), l_, slot), row(slot, limit), l_.index[slot], l_.azimuth[slot]};
-    if (limit > kWide * hn::GetLane(p.query.rho_squared)) return search_boxes(p);
+  /// Completes `nearest` of the point in `slot` of a ring, which may hold some of its neighbours already.
+  void search(std::uint32_t ring, std::uint32_t slot, NearestRow& nearest) {
+    Lone p{Queries<One>(One(), l_, slot), nearest, l_.index[slot], l_.azimuth[slot]};
+    if (nearest.limit() > kWide * hn::GetLane(p.query.rho_squared))
+      return search_boxes(p, (slot - l_.rings[ring].begin) / kChunk * l_.rings.size() / kLanes);
     const auto own = l_.rings.begin() + ring;
     search_ring(p, *own);
     for (auto q = own + 1; q != l_.rings.end() && reaches(p, q->lowest_above, kZenith); ++q) search_ring(p, *q);
@@ -90,23 +67,22 @@ class LoneSearch {
   using One = hn::CappedTag<float, 1>;
   static constexpr std::uint32_t kLanes = HWY_LANES(float);
   static constexpr float kWide = 0.03f;  // squared sine of the widest angle searched by direction
-  static constexpr Elevation kZenith{1.5707964f, 1.0f, 0.0f}, kNadir{-1.5707964f, -1.0f, 0.0f};
 
   struct Lone {
     Queries<One> query;
-    Row row;
+    NearestRow& row;
     std::uint32_t self;
     float azimuth;
   };
 
   HWY_INLINE bool reaches(const Lone& p, const Elevation& low, const Elevation& high) {
     const auto off = off_elevation(One(), p.query, p.query.rho, low, high);
-    return hn::GetLane(hn::Mul(off, off)) < p.row.limit;
+    return hn::GetLane(hn::Mul(off, off)) < p.row.limit();
   }
 
   template <int kSide>
   HWY_INLINE bool open(const Lone& p, std::uint32_t slot, const Ring& ring) {
-    return hn::GetLane(side_bound<kSide>(One(), p.query, l_, slot, &ring)) < p.row.limit;
+    return hn::GetLane(side_bound<kSide>(One(), p.query, l_, slot, &ring)) < p.row.limit();
   }
 
   // Offers the first `count` points from `slot` on to the row.
@@ -116,27 +92,39 @@ class LoneSearch {
     const auto dy = hn::Sub(hn::LoadU(d, &l_.y[slot]), hn::Set(d, hn::GetLane(p.query.y)));
     const auto dz = hn::Sub(hn::LoadU(d, &l_.z[slot]), hn::Set(d, hn::GetLane(p.query.z)));
     const auto squared = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
-    const auto near = hn::And(hn::Le(squared, hn::Set(d, p.row.limit)), hn::FirstN(d, count));
+    const auto near = hn::And(hn::Le(squared, hn::Set(d, p.row.limit())), hn::FirstN(d, count));
     if (hn::AllFalse(d, near)) return;
     alignas(64) float distances[kLanes];
     hn::Store(squared, d, distances);
     for (std::uint32_t bits = lane_bits(d, near); bits != 0; bits &= bits - 1) {
       const std::uint32_t i = std::uint32_t(std::countr_zero(bits)), index = l_.index[slot + i];
-      if (distances[i] <= p.row.limit && index != p.self) p.row.insert(distances[i], index);
+      if (index != p.self) p.row.insert(distances[i], index);
     }
   }
 
-  void search_boxes(Lone& p) {
+  // From the vector of boxes in the point's sector on to both sides.
+  void search_boxes(Lone& p, std::size_t first) {
     if (boxes_.empty()) fill_boxes(boxes_, l_);
+    const std::size_t vectors = (boxes_.slots.size() + kLanes - 1) / kLanes;
+    first = std::min(first, vectors - 1);
+    std::size_t right = first, left = first;
+    while (right < vectors || left > 0) {
+      if (right < vectors) visit_boxes(p, kLanes * right++);
+      if (left > 0) visit_boxes(p, kLanes * --left);
+    }
+  }
+
+  HWY_INLINE void visit_boxes(Lone& p, std::size_t i) {
+    const D d;
     const float x = hn::GetLane(p.query.x), y = hn::GetLane(p.query.y), z = hn::GetLane(p.query.z);
-    for (std::size_t i = 0; i < boxes_.slots.size(); i += kLanes) {
-      alignas(64) float distances[kLanes];
-      const auto squared = box_distances(D(), boxes_, i, x, y, z);
-      if (hn::AllFalse(D(), hn::Le(squared, hn::Set(D(), p.row.limit)))) continue;
-      hn::Store(squared, D(), distances);
-      for (std::size_t j = i; j < std::min(i + kLanes, boxes_.slots.size()); ++j) {
-        if (distances[j - i] <= p.row.limit) visit_run(p, boxes_.slots[j], boxes_.counts[j]);
-      }
+    const auto squared = box_distances(d, boxes_, i, x, y, z);
+    const std::uint32_t near = lane_bits(d, hn::Le(squared, hn::Set(d, p.row.limit())));
+    if (near == 0) return;
+    alignas(64) float distances[kLanes];
+    hn::Store(squared, d, distances);
+    for (std::uint32_t bits = near; bits != 0; bits &= bits - 1) {
+      const std::size_t j = std::size_t(std::countr_zero(bits));
+      if (distances[j] <= p.row.limit()) visit_run(p, boxes_.slots[i + j], boxes_.counts[i + j]);
     }
   }
 

@@ -8,6 +8,7 @@
 #define TILTH_SEARCH_NEAREST_KEYS_INL
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -83,21 +84,25 @@ HWY_INLINE void run_network(V (&keys)[kCount], std::index_sequence<i...>) {
   (exchange(keys[kNetwork[i].low], keys[kNetwork[i].high]), ...);
 }
 
-template <class V, std::size_t kCount, std::size_t... i>
-HWY_INLINE void run_insertion(V (&keys)[kCount], V key, std::index_sequence<i...>) {
-  (exchange(keys[i], key), ...);
-}
-
 /// Sorts each lane of `keys`, ascending.
 template <class V, std::size_t kCount>
 HWY_INLINE void sort_keys(V (&keys)[kCount]) {
   run_network(keys, std::make_index_sequence<network_size<kCount>()>());
 }
 
-/// Keeps the least of `keys` and one more key, sorted.
-template <class V, std::size_t kCount>
-HWY_INLINE void insert_key(V (&keys)[kCount], V key) {
-  run_insertion(keys, key, std::make_index_sequence<kCount>());
+/// Keeps the least of `keys` and one more key, sorted. From the far end, so that most of a long list is left alone.
+template <class DI, std::size_t kCount>
+HWY_INLINE void insert_key(DI d, hn::Vec<DI> (&keys)[kCount], hn::Vec<DI> key) {
+  constexpr std::size_t kStep = 12;
+  std::size_t j = kCount - 1;
+  for (; j >= kStep; --j) {
+    keys[j] = hn::Max(keys[j - 1], hn::Min(keys[j], key));
+    if (j % kStep == 0 && hn::AllFalse(d, hn::Lt(key, keys[j - 1]))) return;
+  }
+  HWY_UNROLL(12) for (j = std::min(kCount, kStep) - 1; j > 0; --j) {
+    keys[j] = hn::Max(keys[j - 1], hn::Min(keys[j], key));
+  }
+  keys[0] = hn::Min(keys[0], key);
 }
 
 /// A bit for each lane in which two keys that follow one another among the first kSorted differ in their number only.

@@ -3,54 +3,121 @@
 #include <tilth/core/error.hpp>
 #include <tilth/search/neighbor_moments.hpp>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tilth/search/neighbor_moments.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
 namespace tilth {
+namespace HWY_NAMESPACE {
 namespace {
 
-using Four = Eigen::Array4f;
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::ScalableTag<float>;
+using Floats = hn::Vec<D>;
 
-void set_points(std::vector<Four>& points, const PointCloud& cloud, std::span<const std::uint8_t> keep) {
-  points.resize(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3f p = cloud.points[i].cast<float>();
-    points[i] = Four(p.x(), p.y(), p.z(), keep.empty() || keep[i] != 0 ? 1.0f : 0.0f);
-  }
-}
+constexpr std::size_t kLanes = HWY_LANES(float);
 
-/// Sums over the kept neighbours of the products of their offset (x, y, z, 1) with its x, y, z and 1.
-struct Products {
-  Four x = Four::Zero(), y = Four::Zero(), z = Four::Zero(), one = Four::Zero();
+/// Sums over the kept neighbours of as many points as there are lanes, four floats a point.
+struct Sums {
+  alignas(64) float offsets[4 * kLanes];   // x, y, z and their number
+  alignas(64) float squares[4 * kLanes];   // xx, yy, zz
+  alignas(64) float products[4 * kLanes];  // xy, yz, zx
 };
 
-Products sum_products(const std::vector<Four>& points, std::size_t i, std::span<const std::uint32_t> neighbors) {
-  const Four center(points[i][0], points[i][1], points[i][2], 0.0f);
-  Products sums;
+#if HWY_TARGET == HWY_SCALAR
+template <bool kAllKept>
+void sum_products(const float* points, std::size_t center, std::span<const std::uint32_t> neighbors, std::size_t,
+                  Sums& sums) {
+  sums = {};
   for (const std::uint32_t n : neighbors) {
-    const Four offset = points[n] - center;
-    const Four kept = offset * offset[3];
-    sums.x += kept * offset[0];
-    sums.y += kept * offset[1];
-    sums.z += kept * offset[2];
-    sums.one += kept;
+    const float *const p = points + 4 * center, *const q = points + 4 * std::size_t(n), kept = q[3];
+    const float offset[3] = {(q[0] - p[0]) * kept, (q[1] - p[1]) * kept, (q[2] - p[2]) * kept};
+    for (std::size_t i = 0; i < 3; ++i) {
+      sums.offsets[i] += offset[i];
+      sums.squares[i] += offset[i] * offset[i];
+      sums.products[i] += offset[i] * offset[(i + 1) % 3];
+    }
+    sums.offsets[3] += kept;
   }
-  return sums;
+}
+#else
+template <bool kAllKept>
+HWY_INLINE void sum_products(const float* points, std::size_t center, std::span<const std::uint32_t> neighbors,
+                             std::size_t lane, Sums& sums) {
+  const hn::FixedTag<float, 4> d;
+  alignas(16) static constexpr std::int32_t kNextAxis[4] = {1, 2, 0, 3};
+  const auto next_axis = hn::SetTableIndices(d, kNextAxis);
+  const auto p = hn::IfThenElseZero(hn::FirstN(d, 3), hn::Load(d, points + 4 * center));
+  auto offsets = hn::Zero(d), squares = hn::Zero(d), products = hn::Zero(d);
+  for (const std::uint32_t n : neighbors) {
+    auto offset = hn::Sub(hn::Load(d, points + 4 * std::size_t(n)), p);
+    if constexpr (!kAllKept) offset = hn::Mul(offset, hn::Broadcast<3>(offset));
+    offsets = hn::Add(offsets, offset);
+    squares = hn::Add(squares, hn::Mul(offset, offset));
+    products = hn::Add(products, hn::Mul(offset, hn::TableLookupLanes(offset, next_axis)));
+  }
+  hn::Store(offsets, d, sums.offsets + 4 * lane);
+  hn::Store(squares, d, sums.squares + 4 * lane);
+  hn::Store(products, d, sums.products + 4 * lane);
+}
+#endif
+
+HWY_INLINE void write_counts(const Sums& sums, std::size_t first, std::size_t count, LocalCovariances& out) {
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    out.counts[first + lane] = std::uint8_t(std::int32_t(sums.offsets[4 * lane + 3]));
+  }
 }
 
-void write_covariance(const Products& sums, std::size_t i, LocalCovariances& out) {
-  const float n = sums.one[3];
-  const float scale = n > 1.0f ? 1.0f / (n - 1.0f) : 0.0f;
-  const Four mean = sums.one / std::max(n, 1.0f);
-  const Four x = scale * (sums.x - sums.one[0] * mean);
-  const Four y = scale * (sums.y - sums.one[1] * mean);
-  out.xx[i] = x[0];
-  out.xy[i] = x[1];
-  out.xz[i] = x[2];
-  out.yy[i] = y[1];
-  out.yz[i] = y[2];
-  out.zz[i] = scale * (sums.z[2] - sums.one[2] * mean[2]);
-  out.counts[i] = std::uint8_t(n);
+HWY_INLINE void write_covariances(const Sums& sums, std::size_t first, std::size_t count, LocalCovariances& out) {
+  const D d;
+  Floats x, y, z, n, xx, yy, zz, xy, yz, zx, unused;
+  hn::LoadInterleaved4(d, sums.offsets, x, y, z, n);
+  hn::LoadInterleaved4(d, sums.squares, xx, yy, zz, unused);
+  hn::LoadInterleaved4(d, sums.products, xy, yz, zx, unused);
+  const Floats one = hn::Set(d, 1.0f), per_point = hn::Div(one, hn::Max(n, one));
+  const Floats scale = hn::IfThenElseZero(hn::Gt(n, one), hn::Div(one, hn::Max(hn::Sub(n, one), one)));
+  const Floats mean_x = hn::Mul(x, per_point), mean_y = hn::Mul(y, per_point), mean_z = hn::Mul(z, per_point);
+  const auto valid = hn::FirstN(d, count);
+  const auto write = [&](Floats sum, Floats a, Floats mean_b, std::vector<float>& to) HWY_ATTR {
+    hn::BlendedStore(hn::Mul(scale, hn::Sub(sum, hn::Mul(a, mean_b))), valid, d, &to[first]);
+  };
+  write(xx, x, mean_x, out.xx);
+  write(xy, x, mean_y, out.xy);
+  write(zx, x, mean_z, out.xz);
+  write(yy, y, mean_y, out.yy);
+  write(yz, y, mean_z, out.yz);
+  write(zz, z, mean_z, out.zz);
+}
+
+template <bool kAllKept>
+void sum_rows(const float* points, const NeighborTable& neighbors, LocalCovariances& out) {
+  Sums sums{};
+  for (std::size_t first = 0; first < out.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, out.size() - first);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      sum_products<kAllKept>(points, first + lane, neighbors.neighbors(first + lane), lane, sums);
+    }
+    write_covariances(sums, first, count, out);
+    write_counts(sums, first, count, out);
+  }
+}
+
+void covariances_simd(const float* points, bool all_kept, const NeighborTable& neighbors, LocalCovariances& out) {
+  if (all_kept) return sum_rows<true>(points, neighbors, out);
+  sum_rows<false>(points, neighbors, out);
 }
 
 }  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace tilth
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace tilth {
+
+HWY_EXPORT(covariances_simd);
 
 const LocalCovariances& NeighborMoments::compute(const PointCloud& cloud, const NeighborTable& neighbors,
                                                  std::span<const std::uint8_t> keep) {
@@ -59,12 +126,16 @@ const LocalCovariances& NeighborMoments::compute(const PointCloud& cloud, const 
     throw Error("keep", "must be empty or have an entry for each point");
   if (neighbors.k > 255) throw Error("neighbors", "more than 255 neighbours of a point");
   LocalCovariances& out = covariances_;
-  for (std::vector<float>* v : {&out.xx, &out.xy, &out.xz, &out.yy, &out.yz, &out.zz}) v->assign(cloud.size(), 0.0f);
-  out.counts.assign(cloud.size(), 0);
-  set_points(points_, cloud, keep);
-  for (std::size_t i = 0; i < neighbors.size(); ++i) {
-    write_covariance(sum_products(points_, i, neighbors.neighbors(i)), i, out);
+  for (std::vector<float>* v : {&out.xx, &out.xy, &out.xz, &out.yy, &out.yz, &out.zz}) v->resize(cloud.size());
+  out.counts.resize(cloud.size());
+  points_.resize(cloud.size());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d& p = cloud.points[i];
+    const float kept = keep.empty() || keep[i] != 0 ? 1.0f : 0.0f;
+    points_[i] = Eigen::Array4f(float(p.x()), float(p.y()), float(p.z()), kept);
   }
+  const float* const points = points_.empty() ? nullptr : points_.front().data();
+  HWY_DYNAMIC_DISPATCH(covariances_simd)(points, keep.empty(), neighbors, out);
   return out;
 }
 
@@ -75,3 +146,4 @@ LocalCovariances local_covariances(const PointCloud& cloud, const NeighborTable&
 }
 
 }  // namespace tilth
+#endif

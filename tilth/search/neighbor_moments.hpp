@@ -1,5 +1,5 @@
 // Second moments of the points around each point, from a table of neighbours: Sigma_i of Fu et al. 2026, sections 3
-// and 4. One pass over the table, a vector operation for each neighbour.
+// and 4. One pass over the table, a few vector operations for each neighbour.
 #pragma once
 
 #include <cstddef>
