@@ -62,12 +62,13 @@ HWY_INLINE V outside(V p, V low, V high) {
   return hn::Max(hn::Max(hn::Sub(low, p), hn::Sub(p, high)), hn::Sub(p, p));
 }
 
-/// Squared distances, rounded as those of points are, from p to the boxes from number `i` on.
-template <class D>
-HWY_INLINE hn::Vec<D> box_distances(D d, const ChunkBoxes& b, std::size_t i, float x, float y, float z) {
-  const auto dx = outside(hn::Set(d, x), hn::LoadU(d, &b.low_x[i]), hn::LoadU(d, &b.high_x[i]));
-  const auto dy = outside(hn::Set(d, y), hn::LoadU(d, &b.low_y[i]), hn::LoadU(d, &b.high_y[i]));
-  const auto dz = outside(hn::Set(d, z), hn::LoadU(d, &b.low_z[i]), hn::LoadU(d, &b.high_z[i]));
+/// Squared distances, rounded as those of points are, to the boxes from number `i` on from p, whose x, y and z hold its
+/// coordinate in the first lane.
+template <class D, class Point>
+HWY_INLINE hn::Vec<D> box_distances(D d, const ChunkBoxes& b, std::size_t i, const Point& p) {
+  const auto dx = outside(hn::Set(d, hn::GetLane(p.x)), hn::LoadU(d, &b.low_x[i]), hn::LoadU(d, &b.high_x[i]));
+  const auto dy = outside(hn::Set(d, hn::GetLane(p.y)), hn::LoadU(d, &b.low_y[i]), hn::LoadU(d, &b.high_y[i]));
+  const auto dz = outside(hn::Set(d, hn::GetLane(p.z)), hn::LoadU(d, &b.low_z[i]), hn::LoadU(d, &b.high_z[i]));
   return hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
 }
 

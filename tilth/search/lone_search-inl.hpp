@@ -116,8 +116,7 @@ class LoneSearch {
 
   HWY_INLINE void visit_boxes(Lone& p, std::size_t i) {
     const D d;
-    const float x = hn::GetLane(p.query.x), y = hn::GetLane(p.query.y), z = hn::GetLane(p.query.z);
-    const auto squared = box_distances(d, boxes_, i, x, y, z);
+    const auto squared = box_distances(d, boxes_, i, p.query);
     const std::uint32_t near = lane_bits(d, hn::Le(squared, hn::Set(d, p.row.limit())));
     if (near == 0) return;
     alignas(64) float distances[kLanes];
