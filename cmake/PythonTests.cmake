@@ -13,7 +13,7 @@ function(tilth_python_test name script)
   set_tests_properties(
     ${name}
     PROPERTIES SKIP_RETURN_CODE 77
-               COST 1 # the others have none: these, the longest, begin first
+               COST 1000 # seconds, as ctest counts the others: these, the longest, begin first
                ENVIRONMENT "PYTHON3=${Python3_EXECUTABLE};OPENBLAS_NUM_THREADS=1")
 endfunction()
 
