@@ -29,7 +29,8 @@ std::size_t quota(std::size_t total, std::size_t part, std::size_t parts) {
 }
 
 // The most curved points first, none within `spacing` places of one already taken.
-void take_edges(Sector sector, std::span<const float> curvature, std::size_t count, const FeatureOptions& options, Indices& edges) {
+void take_edges(Sector sector, std::span<const float> curvature, std::size_t count, const FeatureOptions& options,
+                Indices& edges) {
   Indices order;
   for (std::uint32_t i = 0; i < sector.size(); ++i) {
     if (curvature[sector[i]] >= options.min_edge_curvature) order.push_back(i);
@@ -54,10 +55,13 @@ Indices flattest_of_cells(const PointCloud& cloud, std::span<const float> curvat
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
     if (curvature[i] <= 0 || curvature[i] > options.max_plane_curvature) continue;
     const Eigen::Array3i cell = (cloud.points[i].array() / options.plane_cell).floor().cast<int>();
-    const std::uint64_t key = (std::uint64_t(cell.x() & 0x1fffff) << 42) | (std::uint64_t(cell.y() & 0x1fffff) << 21) | std::uint64_t(cell.z() & 0x1fffff);
+    const std::uint64_t key = (std::uint64_t(cell.x() & 0x1fffff) << 42) | (std::uint64_t(cell.y() & 0x1fffff) << 21) |
+                              std::uint64_t(cell.z() & 0x1fffff);
     const auto [slot, is_new] = slots.try_emplace(key, std::uint32_t(flattest.size()));
-    if (is_new) flattest.push_back(i);
-    else if (curvature[i] < curvature[flattest[slot->second]]) flattest[slot->second] = i;
+    if (is_new)
+      flattest.push_back(i);
+    else if (curvature[i] < curvature[flattest[slot->second]])
+      flattest[slot->second] = i;
   }
   return flattest;
 }
@@ -72,18 +76,20 @@ Indices thinned(const Indices& indices, std::size_t count) {
 
 }  // namespace
 
-float corrected_curvature(float xx, float xy, float xz, float yy, float yz, float zz) {
-  const float squares = xx * xx + yy * yy + zz * zz + 2 * (xy * xy + xz * xz + yz * yz);
-  return squares > 0 ? (xx + yy + zz) / std::sqrt(squares) : 0.0f;
+float corrected_curvature(const Eigen::Matrix3f& sigma) {
+  const float norm = sigma.norm();
+  return norm > 0 ? sigma.trace() / norm : 0.0f;
 }
 
-FeatureIndices select_features(const PointCloud& cloud, std::span<const float> curvature, const FeatureOptions& options) {
+FeatureIndices select_features(const PointCloud& cloud, std::span<const float> curvature,
+                               const FeatureOptions& options) {
   FeatureIndices features;
   const std::vector<Indices> rings = rings_of(cloud, curvature);
   const std::size_t sectors = std::size_t(options.sectors), parts = rings.size() * sectors;
   for (std::size_t part = 0; part < parts; ++part) {
     const Indices& ring = rings[part / sectors];
-    const std::size_t begin = ring.size() * (part % sectors) / sectors, end = ring.size() * (part % sectors + 1) / sectors;
+    const std::size_t begin = ring.size() * (part % sectors) / sectors,
+                      end = ring.size() * (part % sectors + 1) / sectors;
     const Sector sector(ring.data() + begin, end - begin);
     take_edges(sector, curvature, quota(std::size_t(options.edges), part, parts), options, features.edges);
   }

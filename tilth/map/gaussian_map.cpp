@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <Eigen/Eigenvalues>
 
 #include <tilth/map/gaussian_map.hpp>
 
@@ -25,9 +28,35 @@ void add(GaussianVoxel& voxel, const Eigen::Vector3d& point) {
   voxel.scatter.noalias() += before * (point - voxel.mean).transpose();  // Welford
 }
 
+// Surfaces are known along their normal only: this variance stands for "anywhere in the voxel" along them [m^2].
+constexpr double kAlongSurface = 1.0;
+
+// A line flatter than this (cosine to the LiDAR's axis) is what a single beam draws on any surface: it travels with the
+// sensor and says nothing; a steeper one is a pole or a corner.
+constexpr double kUpright = 0.5;
+constexpr double kUnknown = 1e4;  // [m^2]
+
+Eigen::Matrix3d regularized(const Eigen::Matrix3d& covariance, const GaussianMapOptions& options) {
+  if (options.regularization == Regularization::none) return covariance;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  eigen.computeDirect(covariance);
+  const Eigen::Vector3d& variance = eigen.eigenvalues();  // ascending
+  const bool thin = variance[0] < options.surface_thickness * variance[1];
+  const bool wide = variance[1] > options.surface_width * variance[2];
+  const bool drawn_by_one_beam = !wide && std::abs(eigen.eigenvectors()(2, 2)) < kUpright;
+  if (drawn_by_one_beam) return covariance + kUnknown * Eigen::Matrix3d::Identity();
+  if (!thin || !wide) return covariance + options.blur * Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d normal = eigen.eigenvectors().col(0);
+  const double along_normal = std::max(variance[0], options.surface_variance) - kAlongSurface;
+  return kAlongSurface * Eigen::Matrix3d::Identity() + along_normal * normal * normal.transpose();
+}
+
 }  // namespace
 
-GaussianMap::GaussianMap(const GaussianMapOptions& options) : options_(options), inverse_size_(1.0 / options.voxel_size) { rebuild(1024); }
+GaussianMap::GaussianMap(const GaussianMapOptions& options)
+    : options_(options), inverse_size_(1.0 / options.voxel_size) {
+  rebuild(1024);
+}
 
 void GaussianMap::rebuild(std::size_t slots) {
   slots_.assign(slots, Slot{0, kNone});
@@ -58,8 +87,17 @@ void GaussianMap::insert(std::span<const Eigen::Vector3d> points_in_map) {
       voxels_.emplace_back();
       keys_.push_back(key);
     }
-    if (voxels_[index].count < std::uint32_t(options_.max_points)) add(voxels_[index], p);
+    if (voxels_[index].count >= std::uint32_t(options_.max_points)) continue;
+    add(voxels_[index], p);
+    refresh(voxels_[index]);
   }
+}
+
+void GaussianMap::refresh(GaussianVoxel& voxel) const {
+  const bool due = voxel.count >= std::uint32_t(options_.min_points) && 10 * voxel.count >= 11 * voxel.covariance_count;
+  if (!due) return;
+  voxel.covariance = regularized(voxel.scatter / double(voxel.count - 1), options_);
+  voxel.covariance_count = voxel.count;
 }
 
 void GaussianMap::crop(const Eigen::Vector3d& center) {
@@ -99,7 +137,8 @@ const GaussianVoxel* GaussianMap::find_nearest(const Eigen::Vector3d& point) con
   const GaussianVoxel* nearest = nullptr;
   double best = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 8; ++i) {
-    const GaussianVoxel* voxel = at(std::int64_t(corner.x()) + (i & 1), std::int64_t(corner.y()) + (i >> 1 & 1), std::int64_t(corner.z()) + (i >> 2));
+    const GaussianVoxel* voxel = at(std::int64_t(corner.x()) + (i & 1), std::int64_t(corner.y()) + (i >> 1 & 1),
+                                    std::int64_t(corner.z()) + (i >> 2));
     if (voxel == nullptr) continue;
     const double d = (voxel->mean - point).squaredNorm();
     if (d < best) best = d, nearest = voxel;

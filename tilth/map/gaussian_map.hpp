@@ -2,8 +2,10 @@
 // to the points inserted. What GICP associates with (voxelized GICP, Koide et al. 2021, in the manner of NDT).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -13,11 +15,25 @@
 
 namespace tilth {
 
+/// What becomes of a voxel's covariance before it is a target: `none`, the sample covariance as it is; `surface`, a
+/// surface constrains along its normal only, and whatever is no surface (above all a single ring of the scanner, which
+/// is a line on a wall and says nothing across) is blurred.
+enum class Regularization { none, surface };
+inline std::span<const std::string_view> names_of(Regularization) {
+  static constexpr std::array<std::string_view, 2> names{"none", "surface"};
+  return names;
+}
+
 struct GaussianMapOptions {
-  double voxel_size = 0.5;
+  double voxel_size = 0.6;
   int min_points = 6;
   int max_points = 200;
   double max_range = 100.0;
+  Regularization regularization = Regularization::surface;
+  double surface_thickness = 0.1;
+  double surface_width = 0.05;
+  double surface_variance = 1e-4;
+  double blur = 0.01;
 };
 
 template <class V>
@@ -26,14 +42,23 @@ void visit(GaussianMapOptions& o, V&& v) {
   v("min_points", o.min_points, Bounds{2, 1e6}, "[points] that make a voxel a target");
   v("max_points", o.max_points, Bounds{2, 1e9}, "[points] after which a voxel changes no more");
   v("max_range", o.max_range, Bounds{1, 1e5}, "[m] voxels farther from the sensor are forgotten");
+  v("regularization", o.regularization,
+    "[-] none: sample covariances; surface: surfaces constrain along their normal, the rest is blurred");
+  v("surface_thickness", o.surface_thickness, Bounds{0, 1},
+    "[-] a surface's smallest variance, as a share of its middle one, at most");
+  v("surface_width", o.surface_width, Bounds{0, 1},
+    "[-] a surface's middle variance, as a share of its largest one, at least");
+  v("surface_variance", o.surface_variance, Bounds{0, 1}, "[m^2] variance along a surface's normal, at least");
+  v("blur", o.blur, Bounds{0, 100}, "[m^2] variance added to what is no surface");
 }
 
 struct GaussianVoxel {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();        ///< [m] in the map's frame
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();     ///< sum of (p - mean)(p - mean)^T
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< [m] in the map's frame
+  Eigen::Matrix3d covariance =
+      Eigen::Matrix3d::Zero();                        ///< [m^2] regularised; at most a tenth of its points out of date
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();  ///< sum of (p - mean)(p - mean)^T
   std::uint32_t count = 0;
-
-  Eigen::Matrix3d covariance() const { return scatter / double(count - 1); }  ///< [m^2]; count >= 2
+  std::uint32_t covariance_count = 0;  ///< points when `covariance` was made
 };
 
 class GaussianMap {
@@ -43,7 +68,8 @@ class GaussianMap {
   /// Adds points given in the map's frame. O(points).
   void insert(std::span<const Eigen::Vector3d> points_in_map);
 
-  /// Forgets voxels farther than max_range from `center`. O(voxels), but amortised: it acts once the center has moved far enough.
+  /// Forgets voxels farther than max_range from `center`. O(voxels), but amortised: it acts once the center has moved
+  /// far enough.
   void crop(const Eigen::Vector3d& center);
 
   /// The Gaussian of the voxel around `point`, or nullptr where there is none with at least min_points.
@@ -64,6 +90,7 @@ class GaussianMap {
   const GaussianVoxel* at(std::int64_t x, std::int64_t y, std::int64_t z) const;
   std::uint32_t& slot_of(std::int64_t key);
   void rebuild(std::size_t slots);
+  void refresh(GaussianVoxel& voxel) const;
 
   GaussianMapOptions options_;
   double inverse_size_;

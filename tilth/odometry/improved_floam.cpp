@@ -23,7 +23,7 @@ PointCloud with_covariances(PointCloud cloud, std::span<const std::uint32_t> ind
 std::vector<float> curvatures(const LocalCovariances& sigma, std::span<const std::uint8_t> keep) {
   std::vector<float> kappa(sigma.size());
   for (std::size_t i = 0; i < kappa.size(); ++i) {
-    kappa[i] = keep[i] ? corrected_curvature(sigma.xx[i], sigma.xy[i], sigma.xz[i], sigma.yy[i], sigma.yz[i], sigma.zz[i]) : 0;
+    kappa[i] = keep[i] ? corrected_curvature(sigma.matrix(i)) : 0;
   }
   return kappa;
 }
@@ -37,10 +37,16 @@ std::vector<std::uint32_t> every(std::size_t stride, std::span<const std::uint8_
   return indices;
 }
 
+// The first alignment only has to bring the pose within reach of the second.
+AlignOptions approach(AlignOptions options) {
+  options.transformation_epsilon = std::max(options.transformation_epsilon, 1e-3);
+  return options;
+}
+
 }  // namespace
 
 ImprovedFloam::ImprovedFloam(const ImprovedFloamOptions& options)
-    : options_(options), edge_map_(options.edge_map), plane_map_(options.plane_map) {}
+    : options_(options), edge_map_(options.edge_map), plane_map_(options.plane_map), wide_map_(options.wide_map) {}
 
 OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   begin_stage("crop");
@@ -50,15 +56,19 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   begin_stage("outliers");
   const std::vector<std::uint8_t> keep = keep_inliers(cloud, neighbors, options_.outliers);
   begin_stage("features");
-  const LocalCovariances sigma = local_covariances(cloud, neighbors, keep);
+  const LocalCovariances& sigma = moments_.compute(cloud, neighbors, keep);
   const FeatureIndices features = select_features(cloud, curvatures(sigma, keep), options_.features);
 
   begin_stage("deskew");
   const double middle = middle_of(cloud);
   const Vector6d velocity = options_.deskew ? motion_.velocity() : Vector6d::Zero();
-  const auto still = [&](const std::vector<std::uint32_t>& indices) { return deskew(select(cloud, indices), velocity, middle); };
-  const PointCloud edges = deskew(with_covariances(select(cloud, features.edges), features.edges, sigma), velocity, middle);
-  const PointCloud planes = deskew(with_covariances(select(cloud, features.planes), features.planes, sigma), velocity, middle);
+  const auto still = [&](const std::vector<std::uint32_t>& indices) {
+    return deskew(select(cloud, indices), velocity, middle);
+  };
+  const PointCloud edges =
+      deskew(with_covariances(select(cloud, features.edges), features.edges, sigma), velocity, middle);
+  const PointCloud planes =
+      deskew(with_covariances(select(cloud, features.planes), features.planes, sigma), velocity, middle);
 
   begin_stage("registration");
   OdometryResult result;
@@ -67,7 +77,10 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   const Pose& T_world_middle = result.alignment.T_target_source;
   motion_.update(scan.stamp + middle, T_world_middle);
   edge_map_.insert(transform(edges, T_world_middle).points);
-  plane_map_.insert(transform(still(every(std::size_t(options_.map_stride), keep)), T_world_middle).points);
+  const PointCloud mapped = transform(still(every(std::size_t(options_.map_stride), keep)), T_world_middle);
+  plane_map_.insert(mapped.points);
+  wide_map_.insert(mapped.points);
+  wide_map_.crop(T_world_middle.translation());
   edge_map_.crop(T_world_middle.translation());
   plane_map_.crop(T_world_middle.translation());
 
@@ -79,18 +92,25 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   return result;
 }
 
-AlignResult ImprovedFloam::register_features(const PointCloud& edges, const PointCloud& planes, const Pose& T_predicted) const {
+AlignResult ImprovedFloam::register_features(const PointCloud& edges, const PointCloud& planes,
+                                             const Pose& T_predicted) const {
   if (motion_.updates() == 0) return {.T_target_source = T_predicted, .converged = true};
-  const auto pairs = [&](const auto& associate) {
-    AlignResult result = align(
-        T_predicted, options_.align, [&](const Pose& T) { return associate(edges, T, edge_map_, options_.association); },
-        [&](const Pose& T) { return associate(planes, T, plane_map_, options_.association); });
-    result.candidates = edges.size() + planes.size();
-    return result;
+  const auto align_by = [&](const auto& associate) {
+    const auto to = [&](const PointCloud& features, const GaussianMap& map) {
+      const auto find = [&map](const Eigen::Vector3d& p) { return map.find_nearest(p); };
+      return [&, find](const Pose& T) { return associate(features, T, find, options_.association); };
+    };
+    if (motion_.updates() < options_.wide_scans) return align(T_predicted, options_.align, to(planes, wide_map_));
+    const AlignResult wide = align(T_predicted, approach(options_.align), to(planes, wide_map_));
+    AlignResult fine = align(wide.T_target_source, options_.align, to(edges, edge_map_), to(planes, plane_map_));
+    fine.iterations += wide.iterations;
+    return fine;
   };
-  const auto to_gaussians = [](auto&&... args) { return associate_distributions(args...); };
-  const auto to_points = [](auto&&... args) { return associate_points(args...); };
-  return options_.method == RegistrationMethod::gicp ? pairs(to_gaussians) : pairs(to_points);
+  AlignResult result = options_.method == RegistrationMethod::gicp
+                           ? align_by([](const auto&... args) { return associate_distributions(args...); })
+                           : align_by([](const auto&... args) { return associate_points(args...); });
+  result.candidates = edges.size() + planes.size();
+  return result;
 }
 
 PointCloud ImprovedFloam::local_map() const {

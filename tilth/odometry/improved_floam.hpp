@@ -8,6 +8,8 @@
 #include <tilth/preprocess/outlier_removal.hpp>
 #include <tilth/registration/align.hpp>
 #include <tilth/registration/association.hpp>
+#include <tilth/search/neighbor_moments.hpp>
+#include <tilth/search/scan_neighbors.hpp>
 
 namespace tilth {
 
@@ -23,12 +25,14 @@ struct ImprovedFloamOptions {
   bool deskew = true;
   OutlierOptions outliers;
   FeatureOptions features;
-  int map_stride = 4;
+  int map_stride = 2;
   RegistrationMethod method = RegistrationMethod::gicp;
   AssociationOptions association;
   AlignOptions align;
-  GaussianMapOptions edge_map;
+  GaussianMapOptions edge_map{.voxel_size = 1.0};
   GaussianMapOptions plane_map;
+  GaussianMapOptions wide_map{.voxel_size = 1.0};
+  int wide_scans = 15;
 };
 
 template <class V>
@@ -44,6 +48,9 @@ void visit(ImprovedFloamOptions& o, V&& v) {
   v("align", o.align, "[-] iterations of the registration");
   v("edge_map", o.edge_map, "[-] local map of edges");
   v("plane_map", o.plane_map, "[-] local map of planes");
+  v("wide_map", o.wide_map, "[-] the same in larger voxels, which the scan is aligned to first: it reaches farther");
+  v("wide_scans", o.wide_scans, Bounds{0, 1e6},
+    "[scans] at the start that use the wide map alone: most small voxels have met one beam only");
 }
 
 class ImprovedFloam : public Odometry {
@@ -57,8 +64,9 @@ class ImprovedFloam : public Odometry {
 
   ImprovedFloamOptions options_;
   ScanNeighbors neighbors_;
+  NeighborMoments moments_;
   ConstantVelocity motion_;
-  GaussianMap edge_map_, plane_map_;
+  GaussianMap edge_map_, plane_map_, wide_map_;
 };
 
 }  // namespace tilth

@@ -21,8 +21,8 @@ Pipeline pipeline(const std::string& name, const std::string& summary) {
 
 const std::vector<Pipeline>& all() {
   static const std::vector<Pipeline> pipelines{
-      pipeline<ImprovedFloam, ImprovedFloamOptions>(
-          "improved_floam", "FLOAM with statistical outlier removal and GICP (Fu et al. 2026)"),
+      pipeline<ImprovedFloam, ImprovedFloamOptions>("improved_floam",
+                                                    "FLOAM with statistical outlier removal and GICP (Fu et al. 2026)"),
   };
   return pipelines;
 }
@@ -44,7 +44,9 @@ std::vector<PipelineInfo> pipelines() {
   return infos;
 }
 
-std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionValues& values) { return find(name).make(values); }
+std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionValues& values) {
+  return find(name).make(values);
+}
 
 std::vector<OptionInfo> describe_odometry(const std::string& name, const OptionValues& values) {
   return find(name).describe(values);

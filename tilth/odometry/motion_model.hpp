@@ -7,7 +7,8 @@ namespace tilth {
 
 class ConstantVelocity {
  public:
-  /// The pose expected at `time` [s], or, for a time before the last update, the one that was passed; the first pose before any update is the identity.
+  /// The pose expected at `time` [s], or, for a time before the last update, the one that was passed; the first pose
+  /// before any update is the identity.
   Pose predict(double time) const {
     return updates_ == 0 ? Pose::Identity() : retract(T_world_lidar_, velocity_ * (time - time_));
   }

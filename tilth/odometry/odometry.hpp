@@ -13,18 +13,19 @@ namespace tilth {
 
 /// How many points went through each stage.
 struct ScanCounts {
-  std::size_t points_in = 0;   ///< finite points within range
-  std::size_t outliers = 0;    ///< removed by the outlier filter
+  std::size_t points_in = 0;  ///< finite points within range
+  std::size_t outliers = 0;   ///< removed by the outlier filter
   std::size_t edges = 0, planes = 0;
 };
 
 struct OdometryResult {
-  double stamp = 0.0;                     ///< [s] of the pose: the middle of the scan if its points have times, else its stamp
+  double stamp = 0.0;  ///< [s] of the pose: the middle of the scan if its points have times, else its stamp
   Pose T_world_lidar = Pose::Identity();  ///< at `stamp`; world = the LiDAR at the first scan's `stamp`
-  Vector6d velocity = Vector6d::Zero();   ///< [rad/s, m/s] of the LiDAR in its own frame during the scan, as used for deskewing
-  AlignResult alignment;                  ///< of the registration that gave the pose
+  Vector6d velocity =
+      Vector6d::Zero();   ///< [rad/s, m/s] of the LiDAR in its own frame during the scan, as used for deskewing
+  AlignResult alignment;  ///< of the registration that gave the pose
   ScanCounts counts;
-  PointCloud filtered;                    ///< the scan without outliers, as measured (not deskewed)
+  PointCloud filtered;  ///< the scan without outliers, as measured (not deskewed)
 };
 
 /// Called with the name of each stage as it begins ("neighbors", "outliers", ...), so that a caller can time them.

@@ -47,7 +47,8 @@ double density_term(double x, const OutlierOptions& options) {
   return std::clamp(g, options.density_min, options.density_max);
 }
 
-std::vector<std::uint8_t> keep_below(std::span<const float> means, std::span<const float> rho, const OutlierOptions& options) {
+std::vector<std::uint8_t> keep_below(std::span<const float> means, std::span<const float> rho,
+                                     const OutlierOptions& options) {
   const Spread spread = spread_of(means);
   const double rho_mean = rho.empty() ? 1.0 : spread_of(rho).mean;
   std::vector<std::uint8_t> keep(means.size());
@@ -60,7 +61,8 @@ std::vector<std::uint8_t> keep_below(std::span<const float> means, std::span<con
 
 }  // namespace
 
-std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors, const OutlierOptions& options) {
+std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors,
+                                       const OutlierOptions& options) {
   if (options.method == OutlierMethod::none || neighbors.size() == 0) return std::vector<std::uint8_t>(cloud.size(), 1);
   const std::vector<float> scale = scale_of(cloud, options.per_range);
   if (options.method == OutlierMethod::plain) return keep_below(mean_distances(neighbors, scale, 0), {}, options);

@@ -1,5 +1,5 @@
-// Statistical outlier removal (SOR): Fu et al. 2026, section 2.3, with distance weights and a density-adaptive threshold,
-// beside the plain filter that PCL has. Works on a table of neighbours that other stages share.
+// Statistical outlier removal (SOR): Fu et al. 2026, section 2.3, with distance weights and a density-adaptive
+// threshold, beside the plain filter that PCL has. Works on a table of neighbours that other stages share.
 #pragma once
 
 #include <array>
@@ -39,7 +39,8 @@ struct OutlierOptions {
 
 template <class V>
 void visit(OutlierOptions& o, V&& v) {
-  v("method", o.method, "[-] weighted: distances weighted and threshold adapted to density; plain: mean + alpha sigma, as PCL");
+  v("method", o.method,
+    "[-] weighted: distances weighted and threshold adapted to density; plain: mean + alpha sigma, as PCL");
   v("k", o.k, Bounds{2, 64}, "[points] nearest neighbours of each point");
   v("alpha", o.alpha, Bounds{0, 100}, "[-] width of the threshold in standard deviations");
   v("density", o.density, "[-] density term g(x) of the threshold, x = density / mean density: 1/x, or 1 - x");
@@ -49,6 +50,7 @@ void visit(OutlierOptions& o, V&& v) {
 }
 
 /// For each point of `cloud` 1 (kept) or 0 (outlier), from its row of `neighbors`. O(n k).
-std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors, const OutlierOptions& options);
+std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors,
+                                       const OutlierOptions& options);
 
 }  // namespace tilth
