@@ -57,11 +57,14 @@ TEST(Features, EdgesKeepTheirDistance) {
 
 TEST(Features, PlanesAreSpreadOverCellsAndAreNoEdges) {
   const MadeUp m = made_up_rings();
-  const FeatureIndices features = select_features(m.cloud, m.curvature, {.planes = 10000, .max_plane_curvature = 1.3, .plane_cell = 0.5});
+  const FeatureIndices features =
+      select_features(m.cloud, m.curvature, {.planes = 10000, .max_plane_curvature = 1.3, .plane_cell = 0.5});
   EXPECT_GT(features.planes.size(), 4u * 50);
   EXPECT_LT(features.planes.size(), 4u * 110);
   for (const std::uint32_t i : features.planes) EXPECT_EQ(m.curvature[i], 1.01f);
-  EXPECT_EQ(select_features(m.cloud, m.curvature, {.planes = 100, .max_plane_curvature = 1.3, .plane_cell = 0.5}).planes.size(), 100u);
+  EXPECT_EQ(select_features(m.cloud, m.curvature, {.planes = 100, .max_plane_curvature = 1.3, .plane_cell = 0.5})
+                .planes.size(),
+            100u);
 }
 
 TEST(Features, PointsThatAreNoCandidatesAreNeverTaken) {

@@ -62,13 +62,10 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   begin_stage("deskew");
   const double middle = middle_of(cloud);
   const Vector6d velocity = options_.deskew ? motion_.velocity() : Vector6d::Zero();
-  const auto still = [&](const std::vector<std::uint32_t>& indices) {
-    return deskew(select(cloud, indices), velocity, middle);
+  const auto still = [&](std::span<const std::uint32_t> indices) {
+    return deskew(with_covariances(select(cloud, indices), indices, sigma), velocity, middle);
   };
-  const PointCloud edges =
-      deskew(with_covariances(select(cloud, features.edges), features.edges, sigma), velocity, middle);
-  const PointCloud planes =
-      deskew(with_covariances(select(cloud, features.planes), features.planes, sigma), velocity, middle);
+  const PointCloud edges = still(features.edges), planes = still(features.planes);
 
   begin_stage("registration");
   OdometryResult result;
@@ -76,13 +73,8 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   begin_stage("map");
   const Pose& T_world_middle = result.alignment.T_target_source;
   motion_.update(scan.stamp + middle, T_world_middle);
-  edge_map_.insert(transform(edges, T_world_middle).points);
-  const PointCloud mapped = transform(still(every(std::size_t(options_.map_stride), keep)), T_world_middle);
-  plane_map_.insert(mapped.points);
-  wide_map_.insert(mapped.points);
-  wide_map_.crop(T_world_middle.translation());
-  edge_map_.crop(T_world_middle.translation());
-  plane_map_.crop(T_world_middle.translation());
+  const std::vector<std::uint32_t> mapped = every(std::size_t(options_.map_stride), keep);
+  insert(edges, deskew(select(cloud, mapped), velocity, middle), T_world_middle);
 
   result.velocity = motion_.velocity();
   result.stamp = scan.stamp + middle;
@@ -111,6 +103,14 @@ AlignResult ImprovedFloam::register_features(const PointCloud& edges, const Poin
                            : align_by([](const auto&... args) { return associate_points(args...); });
   result.candidates = edges.size() + planes.size();
   return result;
+}
+
+void ImprovedFloam::insert(const PointCloud& edges, const PointCloud& surfaces, const Pose& T_world_lidar) {
+  const std::vector<Eigen::Vector3d> surfaces_in_world = transform(surfaces, T_world_lidar).points;
+  edge_map_.insert(transform(edges, T_world_lidar).points);
+  plane_map_.insert(surfaces_in_world);
+  wide_map_.insert(surfaces_in_world);
+  for (GaussianMap* map : {&edge_map_, &plane_map_, &wide_map_}) map->crop(T_world_lidar.translation());
 }
 
 PointCloud ImprovedFloam::local_map() const {

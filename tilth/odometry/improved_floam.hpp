@@ -61,6 +61,7 @@ class ImprovedFloam : public Odometry {
 
  private:
   AlignResult register_features(const PointCloud& edges, const PointCloud& planes, const Pose& T_predicted) const;
+  void insert(const PointCloud& edges, const PointCloud& surfaces, const Pose& T_world_lidar);
 
   ImprovedFloamOptions options_;
   ScanNeighbors neighbors_;
