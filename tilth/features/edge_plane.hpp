@@ -1,6 +1,6 @@
-// Edge and plane points of a scan, evenly over rings and sectors (FLOAM's scheme: six sectors a ring), by the corrected
-// curvature of Fu et al. 2026, section 2.3: kappa = tr(Sigma) / |Sigma|_F, 1 on a line, sqrt 2 on a patch, sqrt 3 in a
-// blob.
+// Edge points of a scan, evenly over rings and sectors (FLOAM's scheme: six sectors a ring), and plane points, evenly
+// over space, by the corrected curvature of Fu et al. 2026, section 2.3: kappa = tr(Sigma) / |Sigma|_F, 1 on a line,
+// sqrt 2 on a patch, sqrt 3 in a blob.
 #pragma once
 
 #include <cstdint>

@@ -61,17 +61,14 @@ GaussianMap::GaussianMap(const GaussianMapOptions& options)
 void GaussianMap::rebuild(std::size_t slots) {
   slots_.assign(slots, Slot{0, kNone});
   for (std::uint32_t i = 0; i < keys_.size(); ++i) {
-    std::size_t s = hash_of(keys_[i]) & (slots - 1);
-    while (slots_[s].voxel != kNone) s = (s + 1) & (slots - 1);
-    slots_[s] = {keys_[i], i};
+    slots_[slot_of(keys_[i])] = {keys_[i], i};
   }
 }
 
-std::uint32_t& GaussianMap::slot_of(std::int64_t key) {
+std::size_t GaussianMap::slot_of(std::int64_t key) const {
   std::size_t s = hash_of(key) & (slots_.size() - 1);
   while (slots_[s].voxel != kNone && slots_[s].key != key) s = (s + 1) & (slots_.size() - 1);
-  slots_[s].key = key;
-  return slots_[s].voxel;
+  return s;
 }
 
 void GaussianMap::insert(std::span<const Eigen::Vector3d> points_in_map) {
@@ -81,15 +78,16 @@ void GaussianMap::insert(std::span<const Eigen::Vector3d> points_in_map) {
     if (2 * (voxels_.size() + 1) > slots_.size()) rebuild(2 * slots_.size());
     const Eigen::Array3d cell = (p.array() * inverse_size_).floor();
     const std::int64_t key = key_of(std::int64_t(cell.x()), std::int64_t(cell.y()), std::int64_t(cell.z()));
-    std::uint32_t& index = slot_of(key);
-    if (index == kNone) {
-      index = std::uint32_t(voxels_.size());
+    Slot& slot = slots_[slot_of(key)];
+    if (slot.voxel == kNone) {
+      slot = {key, std::uint32_t(voxels_.size())};
       voxels_.emplace_back();
       keys_.push_back(key);
     }
-    if (voxels_[index].count >= std::uint32_t(options_.max_points)) continue;
-    add(voxels_[index], p);
-    refresh(voxels_[index]);
+    GaussianVoxel& voxel = voxels_[slot.voxel];
+    if (voxel.count >= std::uint32_t(options_.max_points)) continue;
+    add(voxel, p);
+    refresh(voxel);
   }
 }
 
@@ -117,11 +115,9 @@ void GaussianMap::crop(const Eigen::Vector3d& center) {
 }
 
 const GaussianVoxel* GaussianMap::at(std::int64_t x, std::int64_t y, std::int64_t z) const {
-  const std::int64_t key = key_of(x, y, z);
-  std::size_t s = hash_of(key) & (slots_.size() - 1);
-  while (slots_[s].voxel != kNone && slots_[s].key != key) s = (s + 1) & (slots_.size() - 1);
-  if (slots_[s].voxel == kNone) return nullptr;
-  const GaussianVoxel& voxel = voxels_[slots_[s].voxel];
+  const Slot& slot = slots_[slot_of(key_of(x, y, z))];
+  if (slot.voxel == kNone) return nullptr;
+  const GaussianVoxel& voxel = voxels_[slot.voxel];
   return voxel.count >= std::uint32_t(options_.min_points) ? &voxel : nullptr;
 }
 

@@ -16,8 +16,8 @@
 namespace tilth {
 
 /// What becomes of a voxel's covariance before it is a target: `none`, the sample covariance as it is; `surface`, a
-/// surface constrains along its normal only, and whatever is no surface (above all a single ring of the scanner, which
-/// is a line on a wall and says nothing across) is blurred.
+/// surface constrains along its normal only, a flat single line (what one beam draws, which travels with the sensor)
+/// not at all, and any other shape is blurred.
 enum class Regularization { none, surface };
 inline std::span<const std::string_view> names_of(Regularization) {
   static constexpr std::array<std::string_view, 2> names{"none", "surface"};
@@ -88,7 +88,7 @@ class GaussianMap {
   };
 
   const GaussianVoxel* at(std::int64_t x, std::int64_t y, std::int64_t z) const;
-  std::uint32_t& slot_of(std::int64_t key);
+  std::size_t slot_of(std::int64_t key) const;
   void rebuild(std::size_t slots);
   void refresh(GaussianVoxel& voxel) const;
 
