@@ -64,6 +64,9 @@ std::vector<std::uint8_t> keep_below(std::span<const float> means, std::span<con
 std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors,
                                        const OutlierOptions& options) {
   if (options.method == OutlierMethod::none || neighbors.size() == 0) return std::vector<std::uint8_t>(cloud.size(), 1);
+  if (options.method == OutlierMethod::support) {
+    if (auto keep = ring_support(cloud, options.support)) return std::move(*keep);
+  }
   const std::vector<float> scale = scale_of(cloud, options.per_range);
   if (options.method == OutlierMethod::plain) return keep_below(mean_distances(neighbors, scale, 0), {}, options);
   const double average = std::max(mean_distance(neighbors, scale), 1e-9);

@@ -1,5 +1,6 @@
 // Statistical outlier removal (SOR): Fu et al. 2026, section 2.3, with distance weights and a density-adaptive
-// threshold, beside the plain filter that PCL has. Works on a table of neighbours that other stages share.
+// threshold, beside the plain filter that PCL has and one made for spinning LiDARs (ring_support.hpp). Works on a table
+// of neighbours that other stages share.
 #pragma once
 
 #include <array>
@@ -10,13 +11,14 @@
 
 #include <tilth/core/options.hpp>
 #include <tilth/core/point_cloud.hpp>
+#include <tilth/preprocess/ring_support.hpp>
 #include <tilth/search/scan_neighbors.hpp>
 
 namespace tilth {
 
-enum class OutlierMethod { none, plain, weighted };
+enum class OutlierMethod { none, plain, weighted, support };
 inline std::span<const std::string_view> names_of(OutlierMethod) {
-  static constexpr std::array<std::string_view, 3> names{"none", "plain", "weighted"};
+  static constexpr std::array<std::string_view, 4> names{"none", "plain", "weighted", "support"};
   return names;
 }
 
@@ -35,21 +37,25 @@ struct OutlierOptions {
   double density_min = 0.0;
   double density_max = 1.0;
   bool per_range = true;
+  RingSupportOptions support = {};
 };
 
 template <class V>
 void visit(OutlierOptions& o, V&& v) {
   v("method", o.method,
-    "[-] weighted: distances weighted and threshold adapted to density; plain: mean + alpha sigma, as PCL");
+    "[-] support: by the beams beside a point (clouds without rings: weighted); weighted: distances weighted and "
+    "threshold adapted to density; plain: mean + alpha sigma, as PCL");
   v("k", o.k, Bounds{2, 64}, "[points] nearest neighbours of each point");
   v("alpha", o.alpha, Bounds{0, 100}, "[-] width of the threshold in standard deviations");
   v("density", o.density, "[-] density term g(x) of the threshold, x = density / mean density: 1/x, or 1 - x");
   v("density_min", o.density_min, Bounds{-1, 100}, "[-] least value of the density term");
   v("density_max", o.density_max, Bounds{-1, 100}, "[-] greatest value of the density term");
   v("per_range", o.per_range, "[-] measure distances in units of the range: a spinning LiDAR's spacing grows with it");
+  visit(o.support, v);
 }
 
-/// For each point of `cloud` 1 (kept) or 0 (outlier), from its row of `neighbors`. O(n k).
+/// For each point of `cloud` 1 (kept) or 0 (outlier), from its row of `neighbors` or, by `support`, from the beams
+/// beside it. O(n k), O(n) by `support`.
 std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors,
                                        const OutlierOptions& options);
 

@@ -1,0 +1,26 @@
+// Outlier removal by each of its methods, given neighbours. Places: 0 room, 1 corridor, 2 open ground.
+#include <benchmark/benchmark.h>
+
+#include "search/generated_scans.hpp"
+#include <tilth/preprocess/outlier_removal.hpp>
+
+namespace {
+
+void remove_outliers(benchmark::State& state) {
+  const tilth::generated::Place places[] = {tilth::generated::kRoom, tilth::generated::kCorridor,
+                                            tilth::generated::kOpenGround};
+  const tilth::PointCloud scan = tilth::generated::make_scan({.place = places[state.range(0)]}, 1);
+  const tilth::OutlierOptions options{.method = tilth::OutlierMethod(state.range(1))};
+  const tilth::NeighborTable table = tilth::scan_neighbors(scan, std::size_t(options.k));
+  for (auto _ : state) benchmark::DoNotOptimize(tilth::keep_inliers(scan, table, options).data());
+  state.SetLabel(std::string(names_of(options.method)[std::size_t(options.method)]));
+  state.counters["points"] = double(scan.size());
+}
+
+}  // namespace
+
+BENCHMARK(remove_outliers)
+    ->ArgNames({"place", "method"})
+    ->ArgsProduct({{0, 1, 2}, {1, 2, 3}})
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_MAIN();
