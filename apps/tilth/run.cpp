@@ -19,6 +19,7 @@
 #include <tilth/output/output_folder.hpp>
 #include <tilth/output/run_record.hpp>
 #include <tilth/sources/open_source.hpp>
+#include <tilth/sources/packet_source.hpp>
 
 namespace tilth::app {
 namespace {
@@ -69,6 +70,7 @@ RunEnd register_all(const RunArguments& arguments, const PipelineChoice& choice,
   const Stopwatch stopwatch;
   RegistrationLoop loop(*source, *odometry, record, console);
   const RunEnd end = with_threads(arguments.threads, [&] { return loop.run(arguments.loop); });
+  for (const std::string& notice : source->notices()) console.note(notice);
   record.ended = to_text(end);
   record.wall_seconds = stopwatch.seconds();
   record.peak_megabytes = peak_megabytes();
@@ -115,9 +117,11 @@ int run(const RunArguments& arguments) {
 }
 
 void add_input_options(CLI::App& command, RunArguments& a) {
-  command.add_option("SOURCE", a.source, "folder of scans, KITTI sequence or bag")->required();
+  command.add_option("SOURCE", a.source, "folder of scans, KITTI sequence, bag, network capture or sim://SCENE")
+      ->required();
   command.add_option("--topic", a.input.topic, "point cloud topic of a bag with several");
   command.add_option("--rate", a.input.rate, "[Hz] of scans without recorded times")->check(CLI::PositiveNumber);
+  add_option_flags(command, describe(PacketSourceOptions{}), a.input.packets);
   command.add_option("--max-scans", a.loop.max_scans, "stop after so many scans");
   command.add_flag("--strict", a.loop.strict, "a record that cannot be used ends the run with an error");
 }

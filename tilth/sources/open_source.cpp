@@ -4,20 +4,49 @@
 #include <tilth/sources/bag_source.hpp>
 #include <tilth/sources/folder_source.hpp>
 #include <tilth/sources/open_source.hpp>
+#include <tilth/sources/packet_files.hpp>
 #include <tilth/sources/scan_files.hpp>
 #include <tilth/sources/simulated_source.hpp>
+#include <tilth/sources/source_uri.hpp>
 
 namespace tilth {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file or folder with its options; a question mark may stand in its name.
+SourceUri parse_path(const std::string& uri, const OptionValues& values) {
+  std::error_code error;
+  SourceUri source = fs::exists(uri, error) ? SourceUri{uri, {}} : parse_source_uri(uri);
+  source.values.insert(values.begin(), values.end());
+  return source;
+}
+
+/// Packets of `path`, where it is a file of packets.
+std::unique_ptr<ScanSource> open_packet_file(const fs::path& path, const OptionValues& values) {
+  if (is_capture(path)) return open_packets(capture_feed(path), with<PacketSourceOptions>(values));
+  if (is_payload_file(path)) return open_packets(payload_feed(path), with<PacketSourceOptions>(values));
+  return nullptr;
+}
+
+}  // namespace
 
 std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOptions& options) {
   if (uri.starts_with(kSimulatedScheme)) return open_simulation(uri);
-  const std::filesystem::path path(uri);
+  const SourceUri source = parse_path(uri, options.packets);
+  const fs::path path(source.what);
   std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw Error(uri, "no such file or folder");
-  if (std::filesystem::is_directory(status) || is_scan_file(path)) return open_folder(path, options);
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw Error(source.what, "no such file or folder");
+  if (fs::is_regular_file(status)) {
+    if (std::unique_ptr<ScanSource> packets = open_packet_file(path, source.values)) return packets;
+  }
+  if (!source.values.empty()) {
+    throw Error(uri, "holds no packets of a sensor, so option " + source.values.begin()->first + " means nothing");
+  }
+  if (fs::is_directory(status) || is_scan_file(path)) return open_folder(path, options);
   if (path.extension() == ".bag") return open_bag(path, options);
-  throw Error(uri, "is no folder of scans, .pcd, .ply, .bin or .bag");
+  throw Error(uri, "is no folder of scans, .pcd, .ply, .bin, .bag, .pcap, .pcapng or file of packets");
 }
 
 }  // namespace tilth

@@ -4,17 +4,19 @@
 #include <memory>
 #include <string>
 
+#include <tilth/core/options.hpp>
 #include <tilth/sources/scan_source.hpp>
 
 namespace tilth {
 
 struct SourceOptions {
-  std::string topic;  ///< of a bag; empty: the only point cloud topic
-  double rate = 0.0;  ///< [Hz] of scans whose times are not recorded; 0: 10 Hz, and said so
+  std::string topic;     ///< of a bag; empty: the only point cloud topic
+  double rate = 0.0;     ///< [Hz] of scans whose times are not recorded; 0: 10 Hz, and said so
+  OptionValues packets;  ///< of recorded packets: the keys of PacketSourceOptions
 };
 
-/// Opens a folder of scans, a KITTI sequence, a bag or a simulation (sim://SCENE?key=value&...). Throws Error naming
-/// what is missing or not understood.
+/// Opens a folder of scans, a KITTI sequence, a bag, packets (a network capture or bare payloads: FILE?key=value&...)
+/// or a simulation (sim://SCENE?key=value&...). Throws Error naming what is missing or not understood.
 std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOptions& options);
 
 }  // namespace tilth

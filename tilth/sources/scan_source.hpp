@@ -32,6 +32,9 @@ class ScanSource {
   const std::vector<std::string>& decisions() const { return decisions_; }
   const std::vector<SkippedScan>& skipped() const { return skipped_; }
 
+  /// What was noticed so far beside scans: packets lost, other traffic; one sentence each. Complete at the end.
+  virtual std::vector<std::string> notices() const { return {}; }
+
  protected:
   std::vector<std::string> decisions_;
   std::vector<SkippedScan> skipped_;

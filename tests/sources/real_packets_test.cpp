@@ -1,0 +1,114 @@
+// Packets of real sensors; skipped by name where they are not at hand.
+#include <cstdlib>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include <tilth/sources/open_source.hpp>
+
+namespace tilth {
+namespace {
+
+std::string recording(const std::string& name) {
+  const char* data = std::getenv("TILTH_DATA");
+  const std::filesystem::path folder =
+      data != nullptr ? std::filesystem::path(data) : std::filesystem::path(TILTH_SOURCE_DIR) / "../shared/data";
+  return (folder / "packets-small" / name).string();
+}
+
+#define NEEDS(file) \
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no recording " << file << " (set TILTH_DATA)"
+
+struct Expected {
+  const char *file, *sensor;
+  std::size_t scans, beams;
+  double period, first_stamp;  // [s]
+};
+
+bool says(const std::vector<std::string>& sentences, const std::string& text) {
+  for (const std::string& sentence : sentences) {
+    if (sentence.find(text) != std::string::npos) return true;
+  }
+  return false;
+}
+
+/// Turns follow one another without a gap, every point has ring, time and intensity, and points are in firing order.
+void check_scans(ScanSource& source, const Expected& expected) {
+  std::size_t scans = 0;
+  std::vector<bool> seen(expected.beams, false);
+  double last_stamp = 0.0;
+  for (; auto scan = source.next(); ++scans) {
+    const PointCloud& cloud = scan->cloud;
+    ASSERT_TRUE(cloud.has_rings() && cloud.has_times() && cloud.intensities.size() == cloud.size());
+    ASSERT_TRUE(std::is_sorted(cloud.times.begin(), cloud.times.end()));
+    ASSERT_EQ(cloud.times.front(), 0.0F);
+    if (scans == 0) EXPECT_NEAR(scan->stamp, expected.first_stamp, 1e-3);
+    if (scans > 1) EXPECT_NEAR(scan->stamp - last_stamp, expected.period, 0.01 * expected.period) << "scan " << scans;
+    if (scans > 1) EXPECT_NEAR(cloud.times.back(), expected.period, 0.01 * expected.period) << "scan " << scans;
+    last_stamp = scan->stamp;
+    for (const std::uint16_t ring : cloud.rings) {
+      ASSERT_LT(ring, expected.beams);
+      seen[ring] = true;
+    }
+  }
+  EXPECT_EQ(scans, expected.scans);
+  EXPECT_GE(std::count(seen.begin(), seen.end(), true), std::ptrdiff_t(expected.beams) - 2);
+}
+
+TEST(RealPackets, TurnsOfVelodynesAreDecoded) {
+  const Expected all[] = {
+      {"einride_vlp16_1000packets_static.bin", "(vlp16)", 13, 16, 0.1, 2666.163101},
+      {"lidarview_vlp16_50frames_20hz_static.pcap", "(vlp16)", 50, 16, 0.05, 1415069209.577397},
+      {"lidarview_hdl32_monterey_18frames.pcap", "(hdl32)", 18, 32, 0.085, 1355263593.203883},
+      {"mrpt_vlp16_gps_4frames.pcap", "(vlp16)", 4, 16, 0.1002, 1453364282.340625},
+  };
+  for (const Expected& expected : all) {
+    SCOPED_TRACE(expected.file);
+    const std::string file = recording(expected.file);
+    NEEDS(file);
+    const auto source = open_source(file, {});
+    EXPECT_TRUE(says(source->decisions(), expected.sensor));
+    check_scans(*source, expected);
+    EXPECT_TRUE(source->skipped().empty());
+    EXPECT_FALSE(says(source->notices(), "lost"));
+  }
+}
+
+TEST(RealPackets, TheHourComesFromTheGpsSentence) {
+  const std::string file = recording("mrpt_vlp16_gps_4frames.pcap");
+  NEEDS(file);
+  EXPECT_TRUE(says(open_source(file, {})->decisions(), "the date from its device packets"));
+}
+
+TEST(RealPackets, ASensorAtRestSeesTheSameInEveryTurn) {
+  const std::string file = recording("lidarview_vlp16_50frames_20hz_static.pcap");
+  NEEDS(file);
+  const auto source = open_source(file, {});
+  std::vector<double> ranges;  // of the points of ring 8 in the first two degrees
+  while (const auto scan = source->next()) {
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < scan->cloud.size(); ++i) {
+      const Eigen::Vector3d& p = scan->cloud.points[i];
+      if (scan->cloud.rings[i] != 8 || p.x() < 0.0 || std::abs(p.y()) > 0.035 * p.x()) continue;
+      sum += p.norm(), count += 1.0;
+    }
+    if (count > 2.0) ranges.push_back(sum / count);
+  }
+  ASSERT_GT(ranges.size(), 40U);
+  const auto [low, high] = std::minmax_element(ranges.begin() + 1, ranges.end());
+  EXPECT_LT(*high - *low, 0.1);
+}
+
+TEST(RealPackets, PacketsOfOtherSensorsAreRefusedByName) {
+  const std::string file = recording("ouster_OS-1-64_1024x10_fw20.pcap");
+  NEEDS(file);
+  try {
+    open_source(file, {});
+    FAIL() << "an Ouster was taken for something else";
+  } catch (const std::exception& error) {
+    EXPECT_NE(std::string(error.what()).find("75 other datagrams"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace tilth

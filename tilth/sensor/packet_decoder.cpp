@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <tilth/sensor/packet_decoder.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr std::array<std::string_view, 3> kEchoes{"both", "strongest", "farthest"};
+constexpr double kTurn = 36000.0;  // [0.01 deg]
+constexpr double kHundredthDegree = std::numbers::pi / 18000.0;
+constexpr double kBackwards = 1000.0;  // [0.01 deg] a head at rest may tremble by less
+constexpr double kLeastTurn = 0.5, kWholeTurn = 0.99;
+constexpr double kLongestTurn = 1.0;  // [s]
+
+/// [0.01 deg] from a to b, less than half a turn either way.
+double step(double a, double b) {
+  return std::remainder(b - a, kTurn);
+}
+
+PacketClock clock_of(std::span<const Packet> first, const PacketConvention& convention) {
+  std::vector<ClockReading> readings;
+  for (const Packet& packet : first) {
+    if (kind_of(packet.payload) != PacketKind::data) continue;
+    const DataPacket data(packet.payload);
+    if (data.size() == convention.format.payload_size())
+      readings.push_back(read_clock(data, packet.arrival, convention.clock));
+  }
+  return {readings, convention.clock.traits};
+}
+
+}  // namespace
+
+std::span<const std::string_view> names_of(Echoes) {
+  return kEchoes;
+}
+
+struct PacketDecoder::Column {
+  std::size_t block;     // the first of one or two
+  std::size_t echoes;    // blocks
+  double azimuth, step;  // [0.01 deg] and to the next column
+  double time;           // [s] of its first shot
+};
+
+PacketDecoder::PacketDecoder(std::span<const Packet> first, const PacketOptions& options)
+    : convention_(recognise_packets(first, options.sensor)),
+      echoes_(options.echoes),
+      clock_(clock_of(first, convention_)),
+      decisions_(convention_.decisions) {
+  decisions_.push_back(clock_.decision());
+  for (const double elevation : format().elevations) {
+    cosines_.push_back(std::cos(elevation));
+    sines_.push_back(std::sin(elevation));
+  }
+  for (std::size_t slot = 0; slot < kSlots; ++slot) slot_times_[slot] = format().slot_time(slot);
+}
+
+std::optional<Scan> PacketDecoder::decode(const Packet& packet) {
+  const PacketKind kind = kind_of(packet.payload);
+  counts_.device += kind == PacketKind::device ? 1 : 0;
+  counts_.position += kind == PacketKind::position ? 1 : 0;
+  counts_.other += kind == PacketKind::other ? 1 : 0;
+  if (kind != PacketKind::data) return std::nullopt;
+  const DataPacket data(packet.payload);
+  if (data.size() != format().payload_size()) {
+    ++counts_.other;
+    return std::nullopt;
+  }
+  ++counts_.data;
+  const std::optional<double> time = clock_.time(read_clock(data, packet.arrival, convention_.clock));
+  counts_.clock_jumps = clock_.jumps();
+  if (!time) {
+    ++counts_.late;
+    return std::nullopt;
+  }
+  return decode_data(data, *time - (format().stamped_last() ? format().last_shot(data.dual()) : 0.0));
+}
+
+std::optional<Scan> PacketDecoder::decode_data(const DataPacket& packet, double first_shot) {
+  if (last_packet_) {
+    const double packets = std::round((first_shot - *last_packet_) / format().packet_period(last_dual_));
+    if (packets > 1.0) counts_.lost += std::size_t(std::min(packets, 1e9)) - 1;
+  }
+  last_packet_ = first_shot;
+  last_dual_ = packet.dual();
+
+  const std::size_t echoes = packet.dual() ? 2 : 1;
+  std::optional<Scan> closed;
+  double turn = 0.0;
+  for (std::size_t block = 0; block < kBlocks; block += echoes) {
+    if (!packet.valid(block)) continue;
+    const double azimuth = packet.azimuth(block), time = first_shot + double(block / echoes) * format().block_period();
+    const std::size_t next = block + echoes;
+    if (next < kBlocks && packet.valid(next)) turn = step(azimuth, packet.azimuth(next));
+    std::optional<Scan> scan = turn_to(azimuth, time);
+    if (scan && !closed) closed = std::move(scan);
+    add_column(packet, {block, echoes, azimuth, turn, time});
+  }
+  return closed;
+}
+
+/// Goes on to a column at `azimuth`; the scan before it where a new one begins there.
+std::optional<Scan> PacketDecoder::turn_to(double azimuth, double time) {
+  std::optional<Scan> closed;
+  if (head_) {
+    const double forward = azimuth - head_->azimuth;
+    const double expected = head_->time > begun_ ? turned_ / (head_->time - begun_) * (time - head_->time) : 0.0;
+    const bool wraps = forward < -kBackwards || expected - forward > 0.5 * kTurn;
+    turned_ += std::max(0.0, wraps && forward < 0.0 ? forward + kTurn : forward);
+    if (wraps || time - begun_ > kLongestTurn) {
+      closed = close(kLeastTurn);
+      turned_ = 0.0, begun_ = time;
+    }
+  } else {
+    begun_ = time;
+  }
+  head_ = {azimuth, time};
+  return closed;
+}
+
+void PacketDecoder::add_column(const DataPacket& packet, const Column& column) {
+  for (std::size_t slot = 0; slot < kSlots; ++slot) {
+    const std::uint16_t first = packet.distance(column.block, slot);
+    const float first_intensity = packet.intensity(column.block, slot);
+    const bool two = column.echoes == 2 && packet.valid(column.block + 1);
+    const std::uint16_t second = two ? packet.distance(column.block + 1, slot) : std::uint16_t(0);
+    const float second_intensity = two ? float(packet.intensity(column.block + 1, slot)) : 0.0F;
+    const bool differ = first != 0 && second != 0 && first != second;
+    const bool second_wins = echoes_ == Echoes::farthest ? second > first : second_intensity > first_intensity;
+    const bool want_first = first != 0 && (!differ || echoes_ == Echoes::both || !second_wins);
+    const bool want_second = second != 0 && second != first && (!differ || echoes_ == Echoes::both || second_wins);
+    if (want_first) add_point(column, slot, first * format().unit, first_intensity);
+    if (want_second) add_point(column, slot, second * format().unit, second_intensity);
+  }
+}
+
+void PacketDecoder::add_point(const Column& column, std::size_t slot, double range, float intensity) {
+  const std::size_t channel = slot % format().channels();
+  const double share = slot_times_[slot] / format().block_period();
+  const double azimuth = (column.azimuth + column.step * share) * kHundredthDegree;
+  const double across = range * cosines_[channel], behind = azimuth - format().centre_angle;
+  const double x = across * std::cos(azimuth) + format().centre_radius * std::cos(behind);
+  const double y = -across * std::sin(azimuth) - format().centre_radius * std::sin(behind);
+  PointCloud& cloud = open_.cloud;
+  const double time = column.time + slot_times_[slot];
+  if (cloud.empty()) open_.stamp = time;
+  cloud.points.emplace_back(x, y, range * sines_[channel]);
+  cloud.times.push_back(float(time - open_.stamp));
+  cloud.rings.push_back(format().rings[channel]);
+  cloud.intensities.push_back(intensity);
+}
+
+/// The open scan, where it turned so far and has points; a new one is opened.
+std::optional<Scan> PacketDecoder::close(double least_turn) {
+  Scan scan = std::exchange(open_, Scan{});
+  if (turned_ < least_turn * kTurn || scan.cloud.empty()) {
+    ++counts_.incomplete;
+    return std::nullopt;
+  }
+  return scan;
+}
+
+std::optional<Scan> PacketDecoder::finish() {
+  if (open_.cloud.empty()) return std::nullopt;
+  return close(kWholeTurn);
+}
+
+}  // namespace tilth

@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <utility>
+
+#include <tilth/core/error.hpp>
+#include <tilth/io/pcap.hpp>
+#include <tilth/sources/packet_source.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr std::size_t kFirstPackets = 2000;  ///< one device packet of Leishen among them, which sends one a second
+
+std::string counted(std::size_t n, const std::string& noun) {
+  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+class PacketSource : public ScanSource {
+ public:
+  PacketSource(PacketFeed feed, const PacketSourceOptions& options) : feed_(std::move(feed)) {
+    while (first_.size() < kFirstPackets) {
+      std::optional<ReceivedPacket> packet = read();
+      if (!packet) break;
+      first_.push_back(std::move(*packet));
+    }
+    choose_sender(options.host);
+    std::vector<Packet> packets;
+    for (const ReceivedPacket& p : first_) {
+      if (p.sender == sender_) packets.push_back({p.payload, p.arrival});
+    }
+    decoder_.emplace(packets, options.decoder);
+    decisions_.push_back("source: packets of " + feed_.name +
+                         (sender_ != 0 ? ", sent by " + address_text(sender_) : ""));
+    decisions_.insert(decisions_.end(), decoder_->decisions().begin(), decoder_->decisions().end());
+  }
+
+  std::optional<Scan> next() override {
+    while (std::optional<ReceivedPacket> packet = take()) {
+      if (packet->sender != sender_) {
+        ++foreign_;
+        continue;
+      }
+      std::optional<Scan> scan = decoder_->decode({packet->payload, packet->arrival});
+      if (scan && in_order(*scan)) return scan;
+    }
+    if (ended_) return std::nullopt;
+    ended_ = true;
+    if (const std::string problem = feed_.problem(); !problem.empty())
+      skipped_.push_back({scans_, feed_.name, "the recording is damaged: " + problem});
+    std::optional<Scan> scan = decoder_->finish();
+    return scan && in_order(*scan) ? std::move(scan) : std::nullopt;
+  }
+
+  std::vector<std::string> notices() const override {
+    const PacketCounts& counts = decoder_->counts();
+    std::vector<std::string> all{"packets: " + std::to_string(counts.data) + " with points, " +
+                                 std::to_string(counts.device + counts.position) + " about the sensor"};
+    const auto tell = [&](std::size_t n, const std::string& noun, const std::string& rest) {
+      if (n > 0) all.push_back(counted(n, noun) + " " + rest);
+    };
+    tell(counts.lost, "packet", "lost, by the gaps between the times of the others");
+    tell(counts.late, "packet", "left out: repeated, or overtaken by later ones");
+    tell(counts.other + unknown_, "datagram", "of the same port or sender left out: no packets of this sensor");
+    tell(foreign_, "packet", "of another sender left out; --host chooses");
+    tell(counts.incomplete, "incomplete turn", "left out");
+    tell(counts.clock_jumps, "jump", "of the sensor's clock evened out");
+    for (std::string& notice : feed_.notices()) all.push_back(std::move(notice));
+    return all;
+  }
+
+ private:
+  /// The next packet that may be a sensor's.
+  std::optional<ReceivedPacket> read() {
+    while (std::optional<ReceivedPacket> packet = feed_.next()) {
+      if (kind_of(packet->payload) != PacketKind::other) return packet;
+      ++unknown_;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<ReceivedPacket> take() {
+    if (first_.empty()) return read();
+    std::optional<ReceivedPacket> packet(std::move(first_.front()));
+    first_.pop_front();
+    return packet;
+  }
+
+  void choose_sender(const std::string& host) {
+    std::map<std::uint32_t, std::size_t> senders;
+    for (const ReceivedPacket& p : first_) senders[p.sender] += kind_of(p.payload) == PacketKind::data ? 1 : 0;
+    if (senders.empty()) {
+      throw Error(feed_.name, "holds no packets of a Velodyne VLP-16, HDL-32E or Leishen C16 (" +
+                                  counted(unknown_, "other datagram") + ")");
+    }
+    const auto named = std::find_if(senders.begin(), senders.end(),
+                                    [&](const auto& sender) { return address_text(sender.first) == host; });
+    if (!host.empty() && named == senders.end()) {
+      std::string seen;
+      for (const auto& [sender, count] : senders) seen += (seen.empty() ? "" : ", ") + address_text(sender);
+      throw Error(feed_.name, "has no packets of host " + host + "; there are those of " + seen);
+    }
+    const auto most = std::max_element(senders.begin(), senders.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    sender_ = host.empty() ? most->first : named->first;
+  }
+
+  bool in_order(const Scan& scan) {
+    ++scans_;
+    const bool later = !last_stamp_ || scan.stamp > *last_stamp_;
+    if (later)
+      last_stamp_ = scan.stamp;
+    else
+      skipped_.push_back({scans_ - 1, feed_.name, "its stamp does not lie after that of the scan before it"});
+    return later;
+  }
+
+  PacketFeed feed_;
+  std::deque<ReceivedPacket> first_;
+  std::uint32_t sender_ = 0;
+  std::optional<PacketDecoder> decoder_;
+  std::optional<double> last_stamp_;
+  std::size_t unknown_ = 0, foreign_ = 0, scans_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<ScanSource> open_packets(PacketFeed feed, const PacketSourceOptions& options) {
+  return std::make_unique<PacketSource>(std::move(feed), options);
+}
+
+}  // namespace tilth
