@@ -35,7 +35,7 @@ endfunction()
 tilth_package(tilth ROOMS core search sensor evaluation preprocess features registration map odometry LIBRARIES
               Eigen3::Eigen TBB::tbb)
 tilth_package(simulation ROOMS simulation LIBRARIES tilth::tilth)
-tilth_package(io ROOMS io sources LIBRARIES tilth::tilth tilth::simulation)
+tilth_package(io ROOMS io gazebo sources LIBRARIES tilth::tilth tilth::simulation)
 tilth_package(output ROOMS output LIBRARIES tilth::tilth tilth::io)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/tilth)

@@ -33,6 +33,15 @@ void make_folder(const fs::path& folder) {
   if (error) throw Error(folder.string(), "cannot be made: " + error.message());
 }
 
+/// As a shell takes it for one word.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_=,.:/+-";
+  if (word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 /// ASCII PLY: every vertex, every triangle with the number of its surface; the surfaces' names as comments.
 std::string ply_of(const Mesh& mesh) {
   std::string text = "ply\nformat ascii 1.0\n";
@@ -105,11 +114,12 @@ void RecordingFolder::write_truth(const Simulator& simulator) {
 }
 
 void RecordingFolder::write_recipe(std::string_view scene, const SimulationOptions& options) {
-  std::string text = "# tilth " TILTH_VERSION "; made again by:\ntilth simulate " + std::string(scene) + " --out DIR";
+  std::string text =
+      "# tilth " TILTH_VERSION "; made again by:\ntilth simulate " + quoted(std::string(scene)) + " --out DIR";
   text += " --format " + std::string(kFormats[std::size_t(format_)]);
   std::string table;
   for (const OptionInfo& row : describe(options)) {
-    text += " --set " + row.key + "=" + row.value;
+    if (!row.value.empty()) text += " --set " + quoted(row.key + "=" + row.value);
     table += row.key + " = " + row.value + "  # [" + row.unit + "] " + row.meaning + "\n";
   }
   write_text(folder_ / "recipe.txt", text + "\n\n# every option\n" + table);

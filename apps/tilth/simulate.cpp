@@ -9,6 +9,7 @@
 #include "option_arguments.hpp"
 #include "recording_folder.hpp"
 #include <tilth/core/parallel.hpp>
+#include <tilth/sources/open_simulator.hpp>
 
 namespace tilth::app {
 namespace {
@@ -17,17 +18,27 @@ constexpr std::size_t kScansAtOnce = 8;
 
 struct SimulateArguments {
   std::string scene, out, format = "pcd";
-  std::vector<std::string> settings;
+  std::vector<std::string> settings, model_folders;
   bool quiet = false;
 };
 
+/// What --set says, and the folders of --model-path in front of its model_path.
+OptionValues values_of(const SimulateArguments& arguments) {
+  OptionValues values = parse_settings(arguments.settings);
+  std::string folders;
+  for (const std::string& folder : arguments.model_folders) folders += folder + ":";
+  if (!folders.empty()) values["model_path"] = folders + values["model_path"];
+  return values;
+}
+
 void simulate(const SimulateArguments& arguments) {
-  const SimulationOptions options = simulation_options(arguments.scene, parse_settings(arguments.settings));
-  const Simulator simulator(arguments.scene, options);
-  RecordingFolder folder(arguments.out, scan_format(arguments.format));
-  folder.write_recipe(arguments.scene, options);
-  folder.write_truth(simulator);
+  const OpenedSimulator opened = open_simulator(arguments.scene, values_of(arguments));
+  const Simulator& simulator = *opened.simulator;
   Console console(arguments.quiet);
+  for (const std::string& warning : opened.warnings) console.warn(warning);
+  RecordingFolder folder(arguments.out, scan_format(arguments.format));
+  folder.write_recipe(arguments.scene, opened.options);
+  folder.write_truth(simulator);
   for (std::size_t first = 0; first < simulator.size(); first += kScansAtOnce) {
     std::vector<LabelledScan> scans(std::min(kScansAtOnce, simulator.size() - first));
     parallel_for(scans.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -63,7 +74,8 @@ void add_simulate(CLI::App& app, int&) {
   const auto arguments = std::make_shared<SimulateArguments>();
   std::string scenes;
   for (const std::string_view name : scene_names()) scenes += (scenes.empty() ? "" : ", ") + std::string(name);
-  command->add_option("scene", arguments->scene, "One of " + scenes)->required();
+  command->add_option("scene", arguments->scene, "One of " + scenes + "; or a Gazebo world: FILE.world, FILE.sdf")
+      ->required();
   command->add_option("--out", arguments->out, "Folder to write to")->required();
   command->add_option("--format", arguments->format, "pcd (default), kitti or bag");
   add_settings(*command, arguments->settings, "Any options listed below");
@@ -71,6 +83,15 @@ void add_simulate(CLI::App& app, int&) {
   add_setting(*command, *arguments, "seed", "Of the scene and of the noise");
   add_setting(*command, *arguments, "duration", "[s] at most");
   add_setting(*command, *arguments, "noise", "[m] standard deviation of a range");
+  add_setting(*command, *arguments, "path", "TUM file of the sensor's poses, instead of the scene's own way");
+  add_setting(*command, *arguments, "waypoints",
+              "\"x,y[,z];x,y[,z]\" [m] to drive through, instead of the scene's own way");
+  add_setting(*command, *arguments, "cruise", "[m/s] through way-points");
+  command
+      ->add_option("--model-path", arguments->model_folders,
+                   "Folder of models that a world file names; may be repeated")
+      ->allow_extra_args(false)
+      ->option_text("DIR");
   command->add_flag_callback(
       "--snapshot", [arguments] { arguments->settings.push_back("snapshot=true"); },
       "All beams of a scan from one pose, as Gazebo does");

@@ -135,17 +135,24 @@ std::vector<Way> outlines(const Way& way, double half_width) {
   return {right};
 }
 
-Trajectory travel(std::span<const Leg> legs, const SceneOptions& options) {
+MotionOptions motion_of(const SceneOptions& options) {
   MotionOptions motion;
   motion.speed_scale = options.speed;
   motion.vibration = options.vibration;
   motion.vibration_angle = options.vibration_angle * std::numbers::pi / 180;
   motion.seed = options.seed;
-  Trajectory trajectory = drive(legs, upright(Vector3d(0, 0, options.height), 0), motion);
-  if (options.duration <= 0) return trajectory;
-  const auto kept = std::size_t(std::ceil(options.duration * kTruthRate)) + 1;
+  return motion;
+}
+
+Trajectory cut(Trajectory trajectory, double duration) {
+  if (duration <= 0) return trajectory;
+  const auto kept = std::size_t(std::ceil(duration * kTruthRate)) + 1;
   trajectory.resize(std::min(trajectory.size(), kept));
   return trajectory;
+}
+
+Trajectory travel(std::span<const Leg> legs, const SceneOptions& options) {
+  return cut(drive(legs, upright(Vector3d(0, 0, options.height), 0), motion_of(options)), options.duration);
 }
 
 std::vector<Walker> walkers_beside(const Way& way, int count, double beside, CounterRandom& random) {

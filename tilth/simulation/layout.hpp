@@ -32,6 +32,12 @@ Way footprint(const Trajectory& trajectory);
 /// once. One outline, two of a ring.
 std::vector<Way> outlines(const Way& way, double half_width);
 
+/// Speed, vibration and seed of a scene.
+MotionOptions motion_of(const SceneOptions& options);
+
+/// The first `duration` [s] of poses at 200 Hz; all of them where it is 0.
+Trajectory cut(Trajectory trajectory, double duration);
+
 /// The sensor's drive along `legs` with the scene's speed, wobble and vibration, cut at the scene's duration.
 Trajectory travel(std::span<const Leg> legs, const SceneOptions& options);
 

@@ -100,12 +100,7 @@ Pose with_sway(const Planar& at, double time, const Sway& sway, const MotionOpti
   T.linear() = (Eigen::AngleAxisd(at.yaw, Eigen::Vector3d::UnitZ()) *
                 Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
                    .toRotationMatrix();
-  if (options.vibration == 0 && options.vibration_angle == 0) return T;
-  Vector6d shake;
-  for (int axis = 0; axis < 6; ++axis) {
-    shake[axis] = (axis < 3 ? options.vibration_angle : options.vibration) * tremor(options.seed, axis, time);
-  }
-  return retract(T, shake);
+  return shaken(T, time, options);
 }
 
 /// The weave turns the heading to and fro; the platform follows where it points.
@@ -121,6 +116,15 @@ void advance(Planar& at, const Profile& profile, const Sway& sway, double time, 
 }
 
 }  // namespace
+
+Pose shaken(const Pose& T_world_lidar, double time, const MotionOptions& options) {
+  if (options.vibration == 0 && options.vibration_angle == 0) return T_world_lidar;
+  Vector6d shake;
+  for (int axis = 0; axis < 6; ++axis) {
+    shake[axis] = (axis < 3 ? options.vibration_angle : options.vibration) * tremor(options.seed, axis, time);
+  }
+  return retract(T_world_lidar, shake);
+}
 
 double duration_of(std::span<const Leg> legs, const MotionOptions& options) {
   double sum = 0;

@@ -27,6 +27,10 @@ struct MotionOptions {
 };
 
 inline constexpr double kTruthRate = 200;  ///< [Hz] of the poses that define the motion; between them a screw motion
+inline constexpr double kLongestDrive = 36000;  ///< [s]
+
+/// The pose with the vibration of `time` [s] added.
+Pose shaken(const Pose& T_world_lidar, double time, const MotionOptions& options);
 
 /// The poses at 200 Hz from time 0 to the end of the last leg, the first one at T_world_start.
 Trajectory drive(std::span<const Leg> legs, const Pose& T_world_start, const MotionOptions& options);

@@ -58,11 +58,9 @@ void bring_nearer(Hit& hit, const std::optional<Meeting>& meeting, const Surface
   hit = {meeting->distance, meeting->normal, &surface, std::numeric_limits<double>::infinity(), true};
 }
 
-/// A body of legs that swing with the gait, a trunk, two arms and a head.
-std::array<Capsule, 6> body_of(const Walker& walker, double time) {
-  const Pose T = pose_at(walker, time);
-  const double h = walker.height;
-  const double stride = 0.22 * std::sin(2 * std::numbers::pi * (walker.start + walker.speed * time) / 1.4);
+/// A body of legs that swing with the gait, a trunk, two arms and a head, after `walked` metres.
+std::array<Capsule, 6> body_of(const Pose& T, double height, double walked) {
+  const double h = height, stride = 0.22 * std::sin(2 * std::numbers::pi * walked / 1.4);
   const auto limb = [&](Vector3d from, Vector3d to, double radius) { return Capsule{T * from, T * to, radius}; };
   return {limb({stride, 0.1, 0.08}, {0, 0.09, 0.48 * h}, 0.075),
           limb({-stride, -0.1, 0.08}, {0, -0.09, 0.48 * h}, 0.075),
@@ -72,8 +70,16 @@ std::array<Capsule, 6> body_of(const Walker& walker, double time) {
           limb({0, 0, 0.91 * h}, {0, 0, 0.94 * h}, 0.1)};
 }
 
-void cast_one(const Walker& walker, const Ray& ray, Hit& hit) {
-  for (const Capsule& part : body_of(walker, ray.time)) bring_nearer(hit, meet_capsule(ray, part), kPerson);
+double walked_at(const Walker& walker, double time) {
+  return walker.start + walker.speed * time;
+}
+
+template <class Person>
+void cast_one(const Person& person, const Ray& ray, Hit& hit) {
+  const Pose T = pose_at(person, ray.time);
+  for (const Capsule& part : body_of(T, person.height, walked_at(person, ray.time))) {
+    bring_nearer(hit, meet_capsule(ray, part), kPerson);
+  }
 }
 
 /// Where a ray enters the box between `low` and `high`, both given in the ray's frame (slab test).
@@ -105,10 +111,16 @@ struct Ball {
   double radius;
 };
 
-/// Holds a mover for half a second before and after `time`.
+constexpr double kHeld = 0.5;  // [s] before and after a time for which a ball holds a mover
+
 Ball ball_about(const Walker& walker, double time) {
   const Vector3d center = pose_at(walker, time) * Vector3d(0, 0, 0.5 * walker.height);
-  return {center, 0.6 * walker.height + 0.5 * walker.speed};
+  return {center, 0.6 * walker.height + kHeld * walker.speed};
+}
+
+Ball ball_about(const ScriptedWalker& walker, double time) {
+  const Eigen::AlignedBox3d feet = feet_between(walker, time - kHeld, time + kHeld);
+  return {feet.center() + Vector3d(0, 0, 0.5 * walker.height), 0.6 * walker.height + 0.5 * feet.diagonal().norm()};
 }
 
 Ball ball_about(const Door& door, double) {
@@ -120,7 +132,7 @@ void cast_near(const Mover& mover, std::span<const Ray> rays, std::span<Hit> hit
   double time = rays.front().time;
   Ball ball = ball_about(mover, time);
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    if (std::abs(rays[i].time - time) > 0.5) time = rays[i].time, ball = ball_about(mover, time);
+    if (std::abs(rays[i].time - time) > kHeld) time = rays[i].time, ball = ball_about(mover, time);
     const Vector3d offset = ball.center - rays[i].origin;
     const double along = offset.dot(rays[i].direction);
     const bool far = along < -ball.radius || offset.squaredNorm() - along * along > ball.radius * ball.radius;
@@ -159,6 +171,7 @@ void cast(const Movers& movers, std::span<const Ray> rays, std::span<Hit> hits) 
   if (rays.empty()) return;
   for (const Walker& walker : movers.walkers) cast_near(walker, rays, hits);
   for (const Door& door : movers.doors) cast_near(door, rays, hits);
+  for (const ScriptedWalker& walker : movers.scripted) cast_near(walker, rays, hits);
 }
 
 }  // namespace tilth

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include <tilth/simulation/scripted_walker.hpp>
 #include <tilth/simulation/world.hpp>
 
 namespace tilth {
@@ -30,6 +31,7 @@ struct Door {
 struct Movers {
   std::vector<Walker> walkers;
   std::vector<Door> doors;
+  std::vector<ScriptedWalker> scripted;
 };
 
 Pose pose_at(const Walker& walker, double time);  ///< of the feet, x forward

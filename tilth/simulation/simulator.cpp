@@ -15,8 +15,10 @@ LidarModel lidar_of(const SimulationOptions& options) {
 
 SimulationOptions simulation_defaults(std::string_view scene, bool snapshot) {
   const auto names = scene_names();
-  if (std::find(names.begin(), names.end(), scene) == names.end()) make_scene(scene, {});
+  const bool known = scene == kForeignScene || std::find(names.begin(), names.end(), scene) != names.end();
+  if (!known) make_scene(scene, {});
   SimulationOptions options;
+  if (scene == kForeignScene) options.scene.people = 0;
   if (snapshot) options.noise = gazebo_noise();
   if (scene.starts_with("plaza")) options.scene.people = 6;
   if (scene == "hospital" || scene == "office") options.scene.people = 4;
@@ -35,10 +37,12 @@ SimulationOptions simulation_options(std::string_view scene, const OptionValues&
 }
 
 Simulator::Simulator(std::string_view scene, const SimulationOptions& options)
-    : lidar_(lidar_of(options)), noise_(options.noise), seed_(options.scene.seed) {
-  Scene made = make_scene(scene, options.scene);
-  truth_ = std::move(made.trajectory);
-  world_ = std::make_unique<MeshWorld>(std::move(made.mesh), std::move(made.movers));
+    : Simulator(make_scene(scene, options.scene), options) {}
+
+Simulator::Simulator(Scene scene, const SimulationOptions& options)
+    : lidar_(lidar_of(options)), noise_(options.noise), seed_(options.scene.seed), truth_(std::move(scene.trajectory)) {
+  if (truth_.empty()) throw Error("scene", "has no way for the sensor");
+  world_ = std::make_unique<MeshWorld>(std::move(scene.mesh), std::move(scene.movers));
 }
 
 std::size_t Simulator::size() const {

@@ -9,6 +9,7 @@
 #include <tilth/simulation/mesh_world.hpp>
 #include <tilth/simulation/scenes.hpp>
 #include <tilth/simulation/simulate_scan.hpp>
+#include <tilth/simulation/way.hpp>
 
 namespace tilth {
 
@@ -16,6 +17,7 @@ struct SimulationOptions {
   std::string sensor = "vlp16";
   int columns = 0;  ///< firings a turn; 0: as the sensor does
   SceneOptions scene;
+  WayOptions way;
   NoiseOptions noise;
 };
 
@@ -25,11 +27,16 @@ void visit(SimulationOptions& o, V&& v) {
   v("sensor", o.sensor, "[-] leishen_c16, vlp16, hdl32 or hdl64");
   v("columns", o.columns, Bounds{0, 20000}, "[-] firings a turn, evenly spread; 0: as the sensor does");
   visit(o.scene, v);
+  visit(o.way, v);
   visit(o.noise, v);
 }
 
+/// A scene that is not one of ours by name: a world file.
+inline constexpr std::string_view kForeignScene = "";
+
 /// What a scene differs in from the plain defaults: corridor_rough its noise, street its sensor, the fast ones their
-/// speed. With `snapshot` the noise is that of Gazebo's sensors. Throws Error on an unknown scene.
+/// speed, a foreign one its lack of people. With `snapshot` the noise is that of Gazebo's sensors. Throws Error on an
+/// unknown scene.
 SimulationOptions simulation_defaults(std::string_view scene, bool snapshot);
 
 /// The options of `scene` with `values` set. Throws Error naming the key that is unknown, is no number or breaks its
@@ -40,6 +47,8 @@ class Simulator {
  public:
   /// Throws Error on an unknown scene or sensor.
   Simulator(std::string_view scene, const SimulationOptions& options);
+  /// Throws Error on an unknown sensor, a scene without a triangle or with no pose of the sensor.
+  Simulator(Scene scene, const SimulationOptions& options);
 
   std::size_t size() const;               ///< scans in all
   double stamp(std::size_t index) const;  ///< [s] of a scan's first firing; one turn at index 0, as 0 is no time in ROS

@@ -11,4 +11,11 @@ inline double smooth_step(double x) {
   return x * x * x * (10 - 15 * x + 6 * x * x);
 }
 
+/// The integral of smooth_step from 0 to x: x - 1/2 from x = 1 on.
+inline double smooth_step_area(double x) {
+  if (x <= 0) return 0;
+  if (x >= 1) return x - 0.5;
+  return x * x * x * x * (2.5 - 3 * x + x * x);
+}
+
 }  // namespace tilth

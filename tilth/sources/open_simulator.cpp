@@ -1,0 +1,63 @@
+#include <sstream>
+
+#include <tilth/core/error.hpp>
+#include <tilth/gazebo/world_file.hpp>
+#include <tilth/io/trajectory_file.hpp>
+#include <tilth/simulation/layout.hpp>
+#include <tilth/sources/open_simulator.hpp>
+
+namespace tilth {
+namespace {
+
+std::vector<std::string> folders_of(const std::string& model_path) {
+  std::vector<std::string> folders;
+  std::istringstream words(model_path);
+  for (std::string folder; std::getline(words, folder, ':');) {
+    if (!folder.empty()) folders.push_back(folder);
+  }
+  return folders;
+}
+
+bool has_own_way(const WayOptions& way) {
+  if (!way.path.empty() && !way.waypoints.empty()) throw Error("waypoints", "are given beside a path: one of the two");
+  return !way.path.empty() || !way.waypoints.empty();
+}
+
+Trajectory own_way(const SimulationOptions& options) {
+  const MotionOptions motion = motion_of(options.scene);
+  const WayOptions& way = options.way;
+  return cut(way.path.empty() ? drive_through(parse_waypoints(way.waypoints, options.scene.height), way, motion)
+                              : follow(read_tum(way.path), motion),
+             options.scene.duration);
+}
+
+Scene scene_of(const std::string& file, const SimulationOptions& options, std::vector<std::string>& warnings) {
+  if (options.scene.people > 0) throw Error("people", "are those of the world file: only its actors walk there");
+  WorldFile world = read_world_file(file, folders_of(options.way.model_path));
+  warnings = std::move(world.warnings);
+  return {std::move(world.mesh), std::move(world.movers), {}};
+}
+
+}  // namespace
+
+OpenedSimulator open_simulator(const std::string& name, const OptionValues& values) {
+  const bool world_file = is_world_file(name);
+  if (name.empty()) throw Error("scene", "is missing: expected one of " + options_detail::joined(scene_names()));
+  OpenedSimulator opened{simulation_options(world_file ? kForeignScene : name, values), nullptr, {}};
+  const SimulationOptions& options = opened.options;
+  const bool own = has_own_way(options.way);
+  if (world_file && !own) {
+    throw Error(name,
+                "has no way for the sensor: give --waypoints \"x,y;x,y\" or --path FILE.tum (a pose a line: stamp "
+                "x y z qx qy qz qw)");
+  }
+  Scene scene = world_file ? scene_of(name, options, opened.warnings) : make_scene(name, options.scene);
+  if (own) {
+    scene.trajectory = own_way(options);
+    scene.movers.walkers = kept_clear(std::move(scene.movers.walkers), scene.trajectory);
+  }
+  opened.simulator = std::make_unique<Simulator>(std::move(scene), options);
+  return opened;
+}
+
+}  // namespace tilth
