@@ -45,6 +45,11 @@ Eigen::Vector3d LidarModel::direction(std::size_t ring, double time) const {
   return {horizontal * std::cos(azimuth), horizontal * std::sin(azimuth), std::sin(elevations[ring])};
 }
 
+Eigen::Vector3d LidarModel::origin(double time) const {
+  const double azimuth = -2 * std::numbers::pi * time / period + centre_angle;
+  return {centre_radius * std::cos(azimuth), centre_radius * std::sin(azimuth), 0.0};
+}
+
 std::size_t LidarModel::ring_of(double elevation) const {
   const auto above = std::lower_bound(elevations.begin(), elevations.end(), elevation);
   if (above == elevations.begin()) return 0;
@@ -68,6 +73,7 @@ LidarModel leishen_c16() {
   lidar.firing_period = 50e-6;
   lidar.columns = whole_firings(lidar);
   lidar.min_range = 0.4, lidar.max_range = 150, lidar.range_step = 0.0025;
+  lidar.centre_radius = 0.0431, lidar.centre_angle = 14.68 * kDegree;
   return lidar;
 }
 

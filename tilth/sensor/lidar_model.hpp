@@ -23,6 +23,8 @@ struct LidarModel {
   double min_range = 0.0;              ///< [m]
   double max_range = 0.0;              ///< [m]
   double range_step = 0.0;             ///< [m] the packets' unit of distance
+  double centre_radius = 0.0;          ///< [m] of the optical centre from the axis
+  double centre_angle = 0.0;           ///< [rad] by which the optical centre lies behind the beams
 
   std::size_t rings() const { return elevations.size(); }
 
@@ -33,6 +35,9 @@ struct LidarModel {
 
   /// Unit vector of the beam of `ring`, `time` seconds after the head looked along +x (x forward, y left, z up).
   Eigen::Vector3d direction(std::size_t ring, double time) const;
+
+  /// [m] the optical centre at that time: ranges count from there.
+  Eigen::Vector3d origin(double time) const;
 
   /// The ring whose elevation [rad] is nearest. O(log rings).
   std::size_t ring_of(double elevation) const;

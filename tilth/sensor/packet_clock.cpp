@@ -66,7 +66,7 @@ void PacketClock::anchor(std::span<const double> running, double arrival_offset)
     return;
   }
   const double whole = traits_.wrap > kAgreement ? nearest_multiple(arrival_offset, traits_.wrap) : 0.0;
-  const bool agree = whole != 0.0 && std::abs(arrival_offset - whole) <= kAgreement;
+  const bool agree = traits_.wrap > kAgreement && std::abs(arrival_offset - whole) <= kAgreement;
   offset_ = agree ? whole : arrival_offset;
   decision_ = agree ? "stamps: of the sensor's clock, the hour from the receiver's"
                     : "stamps: of the sensor's clock, which runs free; set to the receiver's by the earliest arrival";

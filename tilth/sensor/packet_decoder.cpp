@@ -88,12 +88,15 @@ std::optional<Scan> PacketDecoder::decode_data(const DataPacket& packet, double 
 
   const std::size_t echoes = packet.dual() ? 2 : 1;
   std::optional<Scan> closed;
-  double turn = 0.0;
+  double turned = 0.0, steps = 0.0;  // by the columns so far: the last one has no next
   for (std::size_t block = 0; block < kBlocks; block += echoes) {
     if (!packet.valid(block)) continue;
     const double azimuth = packet.azimuth(block), time = first_shot + double(block / echoes) * format().block_period();
     const std::size_t next = block + echoes;
-    if (next < kBlocks && packet.valid(next)) turn = step(azimuth, packet.azimuth(next));
+    const bool followed = next < kBlocks && packet.valid(next);
+    if (followed) turned += step(azimuth, packet.azimuth(next)), steps += 1.0;
+    if (steps > 0.0) mean_step_ = turned / steps;
+    const double turn = followed ? step(azimuth, packet.azimuth(next)) : mean_step_;
     std::optional<Scan> scan = turn_to(azimuth, time);
     if (scan && !closed) closed = std::move(scan);
     add_column(packet, {block, echoes, azimuth, turn, time});

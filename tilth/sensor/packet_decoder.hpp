@@ -76,6 +76,7 @@ class PacketDecoder {
   std::array<double, 32> slot_times_{};  // [s]
   std::optional<double> last_packet_;    // [s] first shot
   bool last_dual_ = false;
+  double mean_step_ = 0.0;  // [0.01 deg] from column to column
   Scan open_;
   double turned_ = 0.0;  // [0.01 deg] since the open scan began
   double begun_ = 0.0;   // [s] when it did

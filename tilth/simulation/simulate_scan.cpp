@@ -17,9 +17,9 @@ constexpr std::array<std::string_view, 5> kKinds{"surface", "outlier", "mixed", 
 
 struct Beam {
   std::size_t ring;
-  double time;                // [s] since the scan's stamp
-  Eigen::Vector3d direction;  // in the LiDAR frame
-  Ray ray;                    // in the world frame
+  double time;                        // [s] since the scan's stamp
+  Eigen::Vector3d origin, direction;  // in the LiDAR frame
+  Ray ray;                            // in the world frame
   CounterRandom random;
 };
 
@@ -45,12 +45,13 @@ Beam aim(const Setting& s, PoseTrack& track, std::size_t column, std::size_t slo
   const std::size_t ring = s.ring_order[slot];
   const double fired = s.options.snapshot ? 0 : s.lidar.time_of(column, ring);
   const double turned = s.options.snapshot ? double(column) * s.lidar.period / double(s.lidar.columns) : fired;
-  const Eigen::Vector3d direction = s.lidar.direction(ring, turned);
+  const Eigen::Vector3d origin = s.lidar.origin(turned), direction = s.lidar.direction(ring, turned);
   const Pose T_world_lidar = track.at(s.key.stamp + fired);
   return {ring,
           fired,
+          origin,
           direction,
-          {T_world_lidar.translation(), T_world_lidar.linear() * direction, s.key.stamp + fired},
+          {T_world_lidar * origin, T_world_lidar.linear() * direction, s.key.stamp + fired},
           CounterRandom(s.key.seed, s.key.index, column * s.lidar.rings() + slot)};
 }
 
@@ -112,7 +113,7 @@ std::vector<std::optional<Echo>> echoes_of(const Setting& s, std::vector<Beam>& 
 }
 
 void append_point(LabelledScan& out, const Setting& s, const Beam& beam, const Echo& echo, double range) {
-  out.scan.cloud.points.push_back(range * beam.direction);
+  out.scan.cloud.points.push_back(beam.origin + range * beam.direction);
   out.scan.cloud.intensities.push_back(float(std::round(echo.intensity)));
   out.scan.cloud.rings.push_back(std::uint16_t(beam.ring));
   if (!s.options.snapshot) out.scan.cloud.times.push_back(float(beam.time));

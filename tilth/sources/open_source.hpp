@@ -10,9 +10,9 @@
 namespace tilth {
 
 struct SourceOptions {
-  std::string topic;     ///< of a bag; empty: the only point cloud topic
-  double rate = 0.0;     ///< [Hz] of scans whose times are not recorded; 0: 10 Hz, and said so
-  OptionValues packets;  ///< of recorded packets: the keys of PacketSourceOptions
+  std::string topic;          ///< of a bag; empty: the only point cloud topic
+  double rate = 0.0;          ///< [Hz] of scans whose times are not recorded; 0: 10 Hz, and said so
+  OptionValues packets = {};  ///< of recorded packets: the keys of PacketSourceOptions
 };
 
 /// Opens a folder of scans, a KITTI sequence, a bag, packets (a network capture or bare payloads: FILE?key=value&...)

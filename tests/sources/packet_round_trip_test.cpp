@@ -1,0 +1,107 @@
+// A simulated recording written as network packets and read back: the same scans within the packets' quantisation.
+#include <cmath>
+#include <io/temporary_folder.hpp>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include <tilth/core/error.hpp>
+#include <tilth/io/pcap_writer.hpp>
+#include <tilth/sensor/packet_encoder.hpp>
+#include <tilth/simulation/simulator.hpp>
+#include <tilth/sources/open_source.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr UdpRoute kRoute{0xC0A801C8, 0xC0A80166, 2368, 2368};
+
+Simulator simulator(const std::string& sensor) {
+  return {"corridor",
+          simulation_options("corridor", {{"sensor", sensor}, {"duration", "1.3"}, {"speed", "2"}, {"seed", "5"}})};
+}
+
+void write_packets(const Simulator& simulator, const std::filesystem::path& path) {
+  const PacketFormat format = packet_format_of(simulator.lidar());
+  PcapWriter file(path);
+  if (format.tail == PacketTail::leishen_1206)
+    file.write(simulator.stamp(0), kRoute, encode_device_packet(simulator.lidar(), format));
+  for (std::size_t i = 0; i < simulator.size(); ++i) {
+    for (const EncodedPacket& packet : encode_scan(simulator.scan(i).scan, simulator.lidar(), format))
+      file.write(packet.sent, kRoute, packet.payload);
+  }
+  file.close();
+}
+
+struct Shot {
+  double range;
+  Eigen::Vector3d direction;
+};
+
+/// As the sensor saw it: from the optical centre.
+Shot shot_of(const LidarModel& lidar, const Eigen::Vector3d& point, double since_turn) {
+  const Eigen::Vector3d ray = point - lidar.origin(since_turn);
+  return {ray.norm(), ray.normalized()};
+}
+
+void expect_equal(const Simulator& made, const Scan& expected, const Scan& read) {
+  ASSERT_EQ(read.cloud.rings, expected.cloud.rings);
+  EXPECT_EQ(read.cloud.intensities, expected.cloud.intensities);
+  for (std::size_t i = 0; i < expected.cloud.size(); ++i) {
+    const double time = expected.cloud.times[i];
+    ASSERT_NEAR(read.stamp + read.cloud.times[i], expected.stamp + time, 1.6e-6) << "point " << i;
+    const Shot a = shot_of(made.lidar(), expected.cloud.points[i], time);
+    const Shot b = shot_of(made.lidar(), read.cloud.points[i], time);
+    ASSERT_NEAR(a.range, b.range, 0.5 * made.lidar().range_step + 1e-5) << "point " << i;
+    ASSERT_LT((a.direction - b.direction).norm(), 0.0102 * kDegree) << "point " << i;
+  }
+}
+
+TEST(PacketRoundTrip, GivesTheSimulatedScansWithinTheirQuantisation) {
+  for (const std::string sensor : {"vlp16", "leishen_c16", "hdl32"}) {
+    SCOPED_TRACE(sensor);
+    const TemporaryFolder folder;
+    const Simulator made = simulator(sensor);
+    write_packets(made, folder / "scans.pcap");
+    const auto source = open_source((folder / "scans.pcap").string(), {});
+    EXPECT_NE(source->decisions().at(1).find("(" + sensor), std::string::npos) << source->decisions().at(1);
+    std::size_t i = 0;
+    for (; const auto scan = source->next(); ++i) expect_equal(made, made.scan(i).scan, *scan);
+    EXPECT_EQ(i, made.size());
+    for (const std::string& notice : source->notices()) {
+      EXPECT_TRUE(notice.starts_with("packets: ")) << notice;
+    }
+  }
+}
+
+TEST(PacketRoundTrip, RingsOfSimulatedPacketsLieAtThePublishedAngles) {
+  const TemporaryFolder folder;
+  write_packets(simulator("vlp16"), folder / "scans.pcap");
+  const auto source = open_source((folder / "scans.pcap").string() + "?sensor=vlp16", {});
+  std::array<std::size_t, 16> seen{};
+  while (const auto scan = source->next()) {
+    for (std::size_t i = 0; i < scan->cloud.size(); ++i) {
+      const Eigen::Vector3d& p = scan->cloud.points[i];
+      const std::size_t ring = scan->cloud.rings[i];
+      ASSERT_NEAR(std::atan2(p.z(), p.head<2>().norm()) / kDegree, -15.0 + 2.0 * double(ring), 1e-9);
+      ++seen.at(ring);
+    }
+  }
+  for (const std::size_t count : seen) EXPECT_GT(count, 1000U);
+}
+
+TEST(PacketRoundTrip, WhatPacketsCannotHoldIsRefused) {
+  Scan snapshot = simulator("vlp16").scan(0).scan;
+  const PacketFormat format = packet_format_of(vlp16());
+  EXPECT_NO_THROW(encode_scan(snapshot, vlp16(), format));
+  snapshot.cloud.times[7] += 20e-6F;
+  EXPECT_THROW(encode_scan(snapshot, vlp16(), format), Error) << "between two firings";
+  snapshot.cloud.times.clear();
+  EXPECT_THROW(encode_scan(snapshot, vlp16(), format), Error);
+  EXPECT_THROW(packet_format_of(hdl64()), Error);
+  EXPECT_THROW(packet_format_of(with_columns(vlp16(), 100)), Error);
+}
+
+}  // namespace
+}  // namespace tilth
