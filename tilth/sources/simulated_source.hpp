@@ -1,4 +1,5 @@
-// Scans made as they are asked for: sim://SCENE?key=value&key=value, with the keys of `tilth simulate --set`.
+// Scans made as they are asked for: sim://SCENE?key=value&key=value, with the keys of `tilth simulate --set`; SCENE may
+// be a Gazebo world file: sim://room.sdf?waypoints=0,0;5,0.
 #pragma once
 
 #include <memory>
