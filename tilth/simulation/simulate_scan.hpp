@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <tilth/core/options.hpp>
+#include <tilth/core/point_label.hpp>
 #include <tilth/core/scan.hpp>
 #include <tilth/core/trajectory.hpp>
 #include <tilth/sensor/lidar_model.hpp>
@@ -42,9 +43,6 @@ void visit(NoiseOptions& o, V&& v) {
 /// What Gazebo's sensors do: a snapshot with Gaussian noise of 8 mm on the range and no other imperfection.
 NoiseOptions gazebo_noise();
 
-/// Where a point comes from. On file one byte: the kind, plus 128 where the point lies on an edge structure.
-enum class PointKind : std::uint8_t { surface, outlier, mixed, ghost, moving };
-inline constexpr std::uint8_t kEdgeBit = 0x80;
 inline constexpr double kEdgeReach = 0.05;  ///< [m] from an edge within which a point counts as on it
 
 std::span<const std::string_view> names_of(PointKind);
