@@ -1,5 +1,8 @@
 #include <fstream>
+#include <functional>
+#include <iostream>
 #include <iterator>
+#include <sstream>
 
 #include <sdf/Console.hh>
 #include <sdf/Element.hh>
@@ -7,13 +10,12 @@
 #include <sdf/Root.hh>
 
 #include <tilth/core/error.hpp>
+#include <tilth/gazebo/include_finder.hpp>
 #include <tilth/gazebo/sdf_pose.hpp>
 #include <tilth/gazebo/world_builder.hpp>
 
 namespace tilth {
 namespace {
-
-constexpr std::size_t kMostIncludes = 100'000;
 
 /// "line 12, /sdf/world[...]: what is wrong", as far as the parser tells.
 std::string text_of(const sdf::Error& error) {
@@ -28,36 +30,35 @@ void check_that_it_is_sdf(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw Error(path.string(), "no such file");
   std::ifstream in(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path, error) || !in) throw Error(path.string(), "is no file that can be read");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) throw Error(path.string(), "cannot be read");
-  if (text.find("<sdf") == std::string::npos) throw Error(path.string(), "is no world: it has no element <sdf>");
+  const std::size_t sdf = text.find("<sdf");
+  if (sdf == std::string::npos) throw Error(path.string(), "is no world: it has no element <sdf>");
+  const std::string tag = text.substr(sdf, text.find('>', sdf) - sdf);
+  if (tag.find("version") == std::string::npos) throw Error(path.string(), "<sdf> has no attribute version");
 }
 
-/// Finds the models that a world includes. Gazebo's own ground plane and sun need no file.
-class IncludeFinder {
+/// libsdformat looks for models within models, and says what is wrong with them, by its global settings alone: they are
+/// ours while this lives.
+class ParserSettings {
  public:
-  IncludeFinder(const ModelPath& model_path, const std::filesystem::path& folder, Warnings& warnings)
-      : model_path_(model_path), folder_(folder), warnings_(warnings) {}
-
-  std::string find(const std::string& uri) {
-    if (++includes_ > kMostIncludes) throw Error("include of " + uri, "is one of more than 100000: models without end");
-    if (const auto path = model_path_.find(uri, folder_)) return path->string();
-    if (uri == "model://ground_plane") {
-      ground_plane_ = true;
-    } else if (uri != "model://sun") {
-      warnings_.add("model " + uri + " is not found in " + model_path_.listing() + "; left out");
-    }
-    return "";
+  explicit ParserSettings(const std::function<std::string(const std::string&)>& find)
+      : config_before_(sdf::ParserConfig::GlobalConfig()), errors_before_(std::cerr.rdbuf(messages_.rdbuf())) {
+    sdf::ParserConfig::GlobalConfig().SetFindCallback(find);
+    sdf::Console::Instance()->SetQuiet(true);
   }
-
-  bool ground_plane() const { return ground_plane_; }
+  ~ParserSettings() {
+    sdf::ParserConfig::GlobalConfig() = config_before_;
+    sdf::Console::Instance()->SetQuiet(false);
+    std::cerr.rdbuf(errors_before_);
+  }
+  ParserSettings(const ParserSettings&) = delete;
+  ParserSettings& operator=(const ParserSettings&) = delete;
 
  private:
-  const ModelPath& model_path_;
-  std::filesystem::path folder_;
-  Warnings& warnings_;
-  std::size_t includes_ = 0;
-  bool ground_plane_ = false;
+  sdf::ParserConfig config_before_;
+  std::ostringstream messages_;
+  std::streambuf* errors_before_;
 };
 
 }  // namespace
@@ -71,14 +72,14 @@ WorldFile read_world_file(const std::filesystem::path& path, const std::vector<s
   const ModelPath model_path(path, model_folders);
   Warnings warnings;
   IncludeFinder includes(model_path, std::filesystem::absolute(path).parent_path(), warnings);
-  sdf::Console::Instance()->SetQuiet(true);
-  sdf::ParserConfig config;
-  config.SetFindCallback([&](const std::string& uri) { return includes.find(uri); });
+  const ParserSettings settings([&](const std::string& uri) { return includes.find(uri); });
   sdf::Root root;
-  const sdf::Errors errors = root.Load(std::filesystem::absolute(path).string(), config);
+  const sdf::Errors errors = root.Load(std::filesystem::absolute(path).string());
   const sdf::World* world = root.WorldCount() > 0 ? root.WorldByIndex(0) : nullptr;
   if (!world && !root.Model()) {
-    throw Error(path.string(), errors.empty() ? "has neither a world nor a model" : text_of(errors.front()));
+    if (errors.empty()) throw Error(path.string(), "has neither a <world> nor a <model>");
+    const bool torn = errors.front().Code() == sdf::ErrorCode::FILE_READ;  // all that libsdformat says of broken XML
+    throw Error(path.string(), torn ? "<sdf> is no well-formed XML" : text_of(errors.front()));
   }
   for (const sdf::Error& error : errors) {
     if (error.Code() != sdf::ErrorCode::URI_LOOKUP) warnings.add(text_of(error));
@@ -89,7 +90,10 @@ WorldFile read_world_file(const std::filesystem::path& path, const std::vector<s
   if (!world) builder.add_model(*root.Model(), root.Model()->Name(), pose_of(root.Model()->RawPose()));
   WorldFile made = builder.take();
   made.warnings = warnings.take();
-  if (made.mesh.triangles.empty()) throw Error(path.string(), "has nothing that a beam could meet");
+  if (made.mesh.triangles.empty()) {
+    const std::string why = made.warnings.empty() ? "" : ": " + made.warnings.front();
+    throw Error(path.string(), "has nothing that a beam could meet" + why);
+  }
   return made;
 }
 

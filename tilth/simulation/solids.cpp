@@ -13,8 +13,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kSagitta = 0.001;  // [m] between a round surface and the triangles inside it
-constexpr int kLeastSegments = 24, kMostSegments = 320;
+constexpr double kSagitta = 0.0005;  // [m] between a circle and the chords inside it
+constexpr int kLeastSegments = 24, kMostSegments = 448;
 constexpr double kWeld = 1e-6;             // [m] within which two vertices are one
 constexpr double kEdgeCosine = 0.8660254;  // of 30 degrees
 constexpr double kLeastArea = 1e-14;       // [m^2] twice that of a triangle worth keeping
