@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kTopic = "/points";
-constexpr std::array<std::string_view, 3> kFormats{"pcd", "kitti", "bag"};
+constexpr std::array<std::string_view, 4> kFormats{"pcd", "kitti", "bag", "pcap"};
 
 std::string numbered(std::size_t index, std::string_view ending) {
   std::array<char, 32> name{};
@@ -69,14 +69,16 @@ std::string ply_of(const Mesh& mesh) {
 ScanFormat scan_format(std::string_view name) {
   const auto format = std::find(kFormats.begin(), kFormats.end(), name);
   if (format != kFormats.end()) return ScanFormat(format - kFormats.begin());
-  throw Error("--format " + std::string(name), "is not known; there are pcd, kitti, bag");
+  throw Error("--format " + std::string(name), "is not known; there are pcd, kitti, bag, pcap");
 }
 
-RecordingFolder::RecordingFolder(const fs::path& folder, ScanFormat format) : folder_(folder), format_(format) {
+RecordingFolder::RecordingFolder(const fs::path& folder, ScanFormat format, const LidarModel& lidar)
+    : folder_(folder), format_(format) {
   make_folder(folder / "labels");
   make_folder(folder / "scene");
   if (format == ScanFormat::pcd) make_folder(folder / "scans");
   if (format == ScanFormat::kitti) make_folder(folder / "velodyne");
+  if (format == ScanFormat::pcap) packets_.emplace(folder / "scans.pcap", lidar);
   if (format != ScanFormat::bag) return;
   bag_.emplace(folder / "scans.bag");
   connection_ = bag_->add_connection({0, std::string(kTopic), std::string(kPointCloud2Type),
@@ -84,6 +86,7 @@ RecordingFolder::RecordingFolder(const fs::path& folder, ScanFormat format) : fo
 }
 
 void RecordingFolder::write(std::size_t index, const LabelledScan& labelled) {
+  if (packets_) packets_->write(labelled.scan);
   PointRecords records = to_records(labelled.scan.cloud);
   if (format_ == ScanFormat::pcd) write_pcd(folder_ / "scans" / numbered(index, ".pcd"), records);
   if (format_ == ScanFormat::kitti) write_kitti_bin(folder_ / "velodyne" / numbered(index, ".bin"), records);
@@ -99,6 +102,7 @@ void RecordingFolder::write(std::size_t index, const LabelledScan& labelled) {
 
 void RecordingFolder::close() {
   if (bag_) bag_->close();
+  if (packets_) packets_->close();
 }
 
 void RecordingFolder::write_truth(const Simulator& simulator) {

@@ -36,7 +36,7 @@ void simulate(const SimulateArguments& arguments) {
   const Simulator& simulator = *opened.simulator;
   Console console(arguments.quiet);
   for (const std::string& warning : opened.warnings) console.warn(warning);
-  RecordingFolder folder(arguments.out, scan_format(arguments.format));
+  RecordingFolder folder(arguments.out, scan_format(arguments.format), simulator.lidar());
   folder.write_recipe(arguments.scene, opened.options);
   folder.write_truth(simulator);
   for (std::size_t first = 0; first < simulator.size(); first += kScansAtOnce) {
@@ -77,7 +77,8 @@ void add_simulate(CLI::App& app, int&) {
   command->add_option("scene", arguments->scene, "One of " + scenes + "; or a Gazebo world: FILE.world, FILE.sdf")
       ->required();
   command->add_option("--out", arguments->out, "Folder to write to")->required();
-  command->add_option("--format", arguments->format, "pcd (default), kitti or bag");
+  command->add_option("--format", arguments->format,
+                      "pcd (default), kitti, bag or pcap (the packets of vlp16, hdl32 or leishen_c16)");
   add_settings(*command, arguments->settings, "Any options listed below");
   add_setting(*command, *arguments, "sensor", "leishen_c16, vlp16, hdl32 or hdl64");
   add_setting(*command, *arguments, "seed", "Of the scene and of the noise");

@@ -161,8 +161,10 @@ TEST(SimulateScan, SnapshotsShowTheWorldFromOnePose) {
 
 TEST(SimulateScan, RoundsRangesToTheStepOfThePackets) {
   const Simulator simulator("corridor", small("corridor", {{"sensor", "leishen_c16"}}));
-  for (const Eigen::Vector3d& p : simulator.scan(3).scan.cloud.points) {
-    EXPECT_NEAR(p.norm() / 0.0025, std::round(p.norm() / 0.0025), 1e-6);
+  const PointCloud cloud = simulator.scan(3).scan.cloud;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const double range = (cloud.points[i] - simulator.lidar().origin(cloud.times[i])).norm();
+    EXPECT_NEAR(range / 0.0025, std::round(range / 0.0025), 1e-5);
   }
 }
 
