@@ -1,10 +1,16 @@
-"""Packages that a test needs: where one is missing the test is skipped by name, or fails where CI=true."""
+"""Packages and programs that a test needs: where one is missing the test is skipped by name, or fails where CI=true."""
 
 import importlib
 import os
+import shutil
 import sys
 
 SKIPPED = 77
+
+
+def skip(what):
+    print(f"SKIPPED: needs {what}")
+    sys.exit(1 if os.environ.get("CI") == "true" else SKIPPED)
 
 
 def needs(*packages):
@@ -14,6 +20,13 @@ def needs(*packages):
         try:
             modules.append(importlib.import_module(package))
         except ImportError:
-            print(f"SKIPPED: needs the Python package {package}")
-            sys.exit(1 if os.environ.get("CI") == "true" else SKIPPED)
+            skip(f"the Python package {package}")
     return modules
+
+
+def needs_program(name, package):
+    """The path of the program `name` of the Debian package `package`; ends the test where it is missing."""
+    path = shutil.which(name)
+    if path is None:
+        skip(f"the program {name} of the Debian package {package}")
+    return path
