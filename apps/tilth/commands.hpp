@@ -10,6 +10,8 @@ void add_run(CLI::App& app, int& exit_code);
 void add_pipelines(CLI::App& app, int& exit_code);
 void add_config(CLI::App& app, int& exit_code);
 void add_evaluate(CLI::App& app, int& exit_code);
+void add_info(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
+void add_score_filter(CLI::App& app, int& exit_code);
 
 }  // namespace tilth::app

@@ -16,7 +16,9 @@ int main(int argc, char** argv) {
   tilth::app::add_pipelines(app, exit_code);
   tilth::app::add_config(app, exit_code);
   tilth::app::add_evaluate(app, exit_code);
+  tilth::app::add_info(app, exit_code);
   tilth::app::add_simulate(app, exit_code);
+  tilth::app::add_score_filter(app, exit_code);
   try {
     std::vector<std::string> arguments = tilth::app::spread_settings({argv + 1, std::size_t(argc - 1)});
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them
