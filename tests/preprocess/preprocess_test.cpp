@@ -68,6 +68,17 @@ TEST(OutlierRemoval, WeightedMeansFollowTheFormula) {
   EXPECT_NEAR(mean_distance(table, scale), all / double(cloud.size()), 1e-5);
 }
 
+// Its weights underflow one by one; had it no finite mean, the threshold would let everything else through.
+TEST(OutlierRemoval, TakesAPointHundredsOfMeanDistancesAway) {
+  PointCloud cloud = sheet_with_outliers(20);
+  cloud.points.push_back({5000, 0, 0});
+  const NeighborTable table = scan_neighbors(cloud, 10);
+  const std::vector<float> scale(cloud.size(), 1.0f);
+  EXPECT_NEAR(mean_distances(table, scale, 50.0f).back(), 4995, 5);
+  const auto keep = keep_inliers(cloud, table, {.method = OutlierMethod::weighted});
+  EXPECT_LE(std::count(keep.begin() + 2000, keep.end(), 1), 2);
+}
+
 TEST(OutlierRemoval, RemovesWhatIsAloneAndKeepsTheSheet) {
   const PointCloud cloud = sheet_with_outliers(20);
   for (const OutlierMethod method : {OutlierMethod::plain, OutlierMethod::weighted}) {

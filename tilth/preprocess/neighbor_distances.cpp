@@ -26,17 +26,18 @@ void mean_distances(const NeighborTable& table, const float* scale, float decay,
     const auto row = hn::Min(hn::Iota(s, 0), hn::Set(s, std::int32_t(n - 1 - first)));
     const auto offset = hn::Mul(row, hn::Set(s, std::int32_t(table.k)));
     const auto unit = hn::GatherIndex(f, scale + first, row);
+    const auto distance_to = [&](std::size_t t) {
+      return hn::Mul(hn::Sqrt(hn::GatherIndex(f, table.squared_distances.data() + first * table.k + t, offset)), unit);
+    };
+    const auto nearest = distance_to(0);  // weighs 1, so that the sum of all weights never vanishes
     auto weights = hn::Zero(f), sum = hn::Zero(f);
     for (std::size_t t = 0; t < table.k; ++t) {
-      const auto squared = hn::GatherIndex(f, table.squared_distances.data() + first * table.k + t, offset);
-      const auto distance = hn::Mul(hn::Sqrt(squared), unit);
-      const auto weight = decay == 0 ? hn::Set(f, 1.0f) : hn::Exp(f, hn::Mul(minus_decay, distance));
+      const auto distance = distance_to(t);
+      const auto weight = decay == 0 ? hn::Set(f, 1.0f) : hn::Exp(f, hn::Mul(minus_decay, hn::Sub(distance, nearest)));
       weights = hn::Add(weights, weight);
       sum = hn::MulAdd(weight, distance, sum);
     }
-    // All neighbours so far away that every weight has underflowed: as far as can be.
-    const auto mean = hn::IfThenElse(hn::Gt(weights, hn::Zero(f)), hn::Div(sum, weights), hn::Set(f, 1e30f));
-    hn::Store(mean, f, out);
+    hn::Store(hn::Div(sum, weights), f, out);
     std::copy_n(out, std::min(lanes, n - first), means + first);
   }
 }
