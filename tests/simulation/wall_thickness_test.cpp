@@ -40,7 +40,7 @@ double thickness(const PoseOf& pose_of) {
   const Trajectory trajectory = fast_drive();
   NoiseOptions options;
   options.noise = kNoise;
-  options.outliers = options.mixed = options.ghosts = options.dropouts = 0;
+  options.outliers = options.mixed = options.ghosts = options.grazing = options.glossy = 0;
   options.quantize = false;
   double sum = 0;
   std::size_t count = 0;

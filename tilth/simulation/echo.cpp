@@ -15,11 +15,12 @@ constexpr double kStrayGap = 0.3;        // [m] of a stray range from the surfac
 constexpr double kPaneReturn = 0.15;     // share of the beams that a pane of glass scatters back
 constexpr double kPastSurface = 1e-4;    // [m] by which a beam that goes on starts beyond
 
-double grazing_limit(Material material) {
+/// Share of the beams that a surface throws past the receiver: none down to a cosine of incidence, then ever more.
+double loss_at(Material material, double cosine, const NoiseOptions& options) {
   switch (material) {
-    case Material::metal: return kMetalGrazing;
-    case Material::glossy: return kGlossyGrazing;
-    default: return kGrazing;
+    case Material::metal: return options.glossy * (1 - cosine / kMetalGrazing);
+    case Material::glossy: return options.glossy * (1 - cosine / kGlossyGrazing);
+    default: return options.grazing * (1 - cosine / kGrazing);
   }
 }
 
@@ -50,8 +51,7 @@ std::optional<Onward> onward(const Ray& ray, const Hit& hit, const NoiseOptions&
 
 std::optional<Echo> echo_of(const Ray& ray, const Hit& hit, const NoiseOptions& options, CounterRandom& random) {
   if (!hit.met()) return std::nullopt;
-  const double loss = options.dropouts * 0.9 * (1 - cosine_of(ray, hit) / grazing_limit(hit.surface->material));
-  if (random.chance(loss)) return std::nullopt;
+  if (random.chance(loss_at(hit.surface->material, cosine_of(ray, hit), options))) return std::nullopt;
   return plain_echo(ray, hit);
 }
 

@@ -151,7 +151,7 @@ std::span<const std::string_view> names_of(PointKind) {
 NoiseOptions gazebo_noise() {
   NoiseOptions options;
   options.noise = 0.008;
-  options.outliers = options.mixed = options.ghosts = options.dropouts = 0;
+  options.outliers = options.mixed = options.ghosts = options.grazing = options.glossy = 0;
   options.quantize = false;
   options.snapshot = true;
   return options;

@@ -22,8 +22,9 @@ struct NoiseOptions {
   double outliers = 0.01;     ///< share of the beams that report a range of no surface
   double mixed = 0.5;         ///< share of the beams across a depth edge that report a range between
   double divergence = 0.003;  ///< [rad] full angle of the beam
-  double ghosts = 0.3;        ///< share of the beams on metal or glass that report what they mirror
-  double dropouts = 1.0;      ///< scale of the losses on grazed and glossy surfaces
+  double ghosts = 0.3;        ///< share of the beams that just touch metal or glass that report what it mirrors
+  double grazing = 0.9;       ///< share of the beams lost on matte surfaces that they just touch
+  double glossy = 0.9;        ///< the same on polished and metal surfaces, which lose them from steeper angles on
   bool quantize = true;       ///< ranges in whole steps of the sensor's packets
   bool snapshot = false;      ///< all beams from the pose at the start of the scan, without times
 };
@@ -34,8 +35,10 @@ void visit(NoiseOptions& o, V&& v) {
   v("outliers", o.outliers, Bounds{0, 1}, "[-] share of the beams that report a range where no surface is");
   v("mixed", o.mixed, Bounds{0, 1}, "[-] share of the beams across a depth edge that report a range between the two");
   v("divergence", o.divergence, Bounds{0, 0.05}, "[rad] full opening angle of a beam");
-  v("ghosts", o.ghosts, Bounds{0, 1}, "[-] share of the beams on metal or glass that report what is mirrored in it");
-  v("dropouts", o.dropouts, Bounds{0, 10}, "[-] scale of the losses on grazed and glossy surfaces; 0: none");
+  v("ghosts", o.ghosts, Bounds{0, 1},
+    "[-] share of the beams that just touch metal or glass that report what it mirrors");
+  v("grazing", o.grazing, Bounds{0, 1}, "[-] share of the beams lost that just touch a matte surface");
+  v("glossy", o.glossy, Bounds{0, 1}, "[-] share of the beams lost that just touch a polished floor or bare metal");
   v("quantize", o.quantize, "[-] ranges in whole steps of the sensor's packets");
   v("snapshot", o.snapshot, "[-] all beams of a scan from one pose at one time, as Gazebo does");
 }
