@@ -19,6 +19,15 @@ std::string listed(const std::vector<Connection>& connections) {
   return text.empty() ? "no topics" : text;
 }
 
+std::vector<std::string> topic_lines(const std::vector<Connection>& connections) {
+  std::map<std::string, std::uint64_t> messages;
+  for (const Connection& connection : connections)
+    messages["topic " + connection.topic + ": " + connection.type] += connection.messages;
+  std::vector<std::string> lines;
+  for (const auto& [topic, count] : messages) lines.push_back(topic + ", " + std::to_string(count) + " messages");
+  return lines;
+}
+
 /// The topic to read and the messages it holds.
 std::pair<std::string, std::size_t> cloud_topic(const std::string& bag, const std::vector<Connection>& connections,
                                                 const std::string& wanted) {
@@ -80,8 +89,11 @@ std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const So
   std::vector<std::string> decisions{
       "source: topic " + topic + " of " + path.string() + ", " + std::to_string(messages) + " messages",
       "stamps: of the message headers; where one is 0, of the recorder"};
-  return std::make_unique<RecordedSource>(MessageReader(path.string(), std::move(bag)), RecordingTraits{},
-                                          std::move(decisions), messages);
+  std::vector<std::string> topics = topic_lines(bag->connections());
+  auto source = std::make_unique<RecordedSource>(MessageReader(path.string(), std::move(bag)), RecordingTraits{},
+                                                 std::move(decisions), messages);
+  source->add_contents(std::move(topics));
+  return source;
 }
 
 }  // namespace tilth

@@ -30,6 +30,9 @@ class PacketSource : public ScanSource {
       if (p.sender == sender_) packets.push_back({p.payload, p.arrival});
     }
     decoder_.emplace(packets, options.decoder);
+    for (const auto& [sender, count] : senders_)
+      contents_.push_back("sender " + address_text(sender) + ": " + counted(count, "data packet") + " of the first " +
+                          std::to_string(first_.size()));
     decisions_.push_back("source: packets of " + feed_.name +
                          (sender_ != 0 ? ", sent by " + address_text(sender_) : ""));
     decisions_.insert(decisions_.end(), decoder_->decisions().begin(), decoder_->decisions().end());
@@ -59,7 +62,8 @@ class PacketSource : public ScanSource {
     const auto tell = [&](std::size_t n, const std::string& noun, const std::string& rest) {
       if (n > 0) all.push_back(counted(n, noun) + " " + rest);
     };
-    tell(counts.lost, "packet", "lost, by the gaps between the times of the others");
+    tell(counts.lost, "packet",
+         "lost: their points are missing. A network or computer with too much to do is the usual cause");
     tell(counts.late, "packet", "left out: repeated, or overtaken by later ones");
     tell(counts.other + unknown_, "datagram", "of the same port or sender left out: no packets of this sensor");
     tell(foreign_, "packet", "of another sender left out; --host chooses");
@@ -87,20 +91,19 @@ class PacketSource : public ScanSource {
   }
 
   void choose_sender(const std::string& host) {
-    std::map<std::uint32_t, std::size_t> senders;
-    for (const ReceivedPacket& p : first_) senders[p.sender] += kind_of(p.payload) == PacketKind::data ? 1 : 0;
-    if (senders.empty()) {
+    for (const ReceivedPacket& p : first_) senders_[p.sender] += kind_of(p.payload) == PacketKind::data ? 1 : 0;
+    if (senders_.empty()) {
       throw Error(feed_.name, "holds no packets of a Velodyne VLP-16, HDL-32E or Leishen C16 (" +
                                   counted(unknown_, "other datagram") + ")");
     }
-    const auto named = std::find_if(senders.begin(), senders.end(),
+    const auto named = std::find_if(senders_.begin(), senders_.end(),
                                     [&](const auto& sender) { return address_text(sender.first) == host; });
-    if (!host.empty() && named == senders.end()) {
+    if (!host.empty() && named == senders_.end()) {
       std::string seen;
-      for (const auto& [sender, count] : senders) seen += (seen.empty() ? "" : ", ") + address_text(sender);
+      for (const auto& [sender, count] : senders_) seen += (seen.empty() ? "" : ", ") + address_text(sender);
       throw Error(feed_.name, "has no packets of host " + host + "; there are those of " + seen);
     }
-    const auto most = std::max_element(senders.begin(), senders.end(),
+    const auto most = std::max_element(senders_.begin(), senders_.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
     sender_ = host.empty() ? most->first : named->first;
   }
@@ -117,6 +120,7 @@ class PacketSource : public ScanSource {
 
   PacketFeed feed_;
   std::deque<ReceivedPacket> first_;
+  std::map<std::uint32_t, std::size_t> senders_;  // address -> data packets among the first
   std::uint32_t sender_ = 0;
   std::optional<PacketDecoder> decoder_;
   std::optional<double> last_stamp_;

@@ -16,6 +16,13 @@ std::string seconds(double value) {
   return text;
 }
 
+std::string fields_line(const PointRecords& records) {
+  std::string text;
+  for (const PointField& field : records.fields)
+    text += (text.empty() ? "fields: " : ", ") + field.name + " " + std::string(name_of(field.type));
+  return text + "; " + std::to_string(records.stride) + " bytes a point";
+}
+
 /// What keeps a scan out of the order of time, or nothing.
 std::string order_problem(double stamp, const std::optional<double>& last) {
   if (!std::isfinite(stamp)) return "its stamp is not finite";
@@ -42,8 +49,13 @@ RecordedSource::RecordedSource(RecordReader reader, const RecordingTraits& trait
   }
   if (readable.empty()) throw Error("recording", problem.empty() ? "holds no scan" : "no scan can be read; " + problem);
   decoder_.emplace(readable, traits);
+  contents_.push_back(fields_line(readable.front().records));
   decisions_ = std::move(decisions);
   decisions_.insert(decisions_.end(), decoder_->decisions().begin(), decoder_->decisions().end());
+}
+
+void RecordedSource::add_contents(std::vector<std::string> lines) {
+  contents_.insert(contents_.begin(), std::make_move_iterator(lines.begin()), std::make_move_iterator(lines.end()));
 }
 
 std::optional<Scan> RecordedSource::next() {

@@ -32,6 +32,8 @@ class RecordedSource : public ScanSource {
   RecordedSource(RecordReader reader, const RecordingTraits& traits, std::vector<std::string> decisions,
                  std::optional<std::size_t> size);
 
+  void add_contents(std::vector<std::string> lines);  ///< before the fields'
+
   std::optional<Scan> next() override;
   std::optional<std::size_t> size() const override { return size_; }
 

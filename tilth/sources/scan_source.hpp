@@ -27,6 +27,9 @@ class ScanSource {
 
   virtual std::optional<std::size_t> size() const { return std::nullopt; }  ///< scans in all, where that is known
 
+  /// What the recording holds: topics with their types, fields with theirs; one line each. Complete from the start.
+  const std::vector<std::string>& contents() const { return contents_; }
+
   /// What was worked out from the data and how: fields, ring, time unit and reference, spin period; one sentence each.
   /// Complete once the first scan has been read.
   const std::vector<std::string>& decisions() const { return decisions_; }
@@ -36,7 +39,7 @@ class ScanSource {
   virtual std::vector<std::string> notices() const { return {}; }
 
  protected:
-  std::vector<std::string> decisions_;
+  std::vector<std::string> contents_, decisions_;
   std::vector<SkippedScan> skipped_;
 };
 
