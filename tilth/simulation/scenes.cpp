@@ -32,7 +32,8 @@ std::span<const std::string_view> scene_names() {
 Scene make_scene(std::string_view name, const SceneOptions& options) {
   const auto scene = std::find_if(kScenes.begin(), kScenes.end(), [&](const NamedScene& s) { return s.name == name; });
   if (scene == kScenes.end()) {
-    throw Error("scene " + std::string(name), "is not known; there are " + options_detail::joined(kNames));
+    throw Error("scene " + std::string(name),
+                "is not known; there are " + options_detail::joined(kNames) + ", and world files (.world, .sdf)");
   }
   Scene made = scene->make(options);
   made.movers.walkers = kept_clear(std::move(made.movers.walkers), made.trajectory);

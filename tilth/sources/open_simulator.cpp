@@ -23,11 +23,21 @@ bool has_own_way(const WayOptions& way) {
   return !way.path.empty() || !way.waypoints.empty();
 }
 
+/// Along the poses of a file, which its errors name.
+Trajectory followed(const std::string& path, const MotionOptions& motion) {
+  const Trajectory poses = read_tum(path);
+  try {
+    return follow(poses, motion);
+  } catch (const Error& error) {
+    throw Error(path, error.what());
+  }
+}
+
 Trajectory own_way(const SimulationOptions& options) {
   const MotionOptions motion = motion_of(options.scene);
   const WayOptions& way = options.way;
   return cut(way.path.empty() ? drive_through(parse_waypoints(way.waypoints, options.scene.height), way, motion)
-                              : follow(read_tum(way.path), motion),
+                              : followed(way.path, motion),
              options.scene.duration);
 }
 
@@ -42,7 +52,8 @@ Scene scene_of(const std::string& file, const SimulationOptions& options, std::v
 
 OpenedSimulator open_simulator(const std::string& name, const OptionValues& values) {
   const bool world_file = is_world_file(name);
-  if (name.empty()) throw Error("scene", "is missing: expected one of " + options_detail::joined(scene_names()));
+  if (name.empty())
+    throw Error("scene", "is missing: expected a file or one of " + options_detail::joined(scene_names()));
   OpenedSimulator opened{simulation_options(world_file ? kForeignScene : name, values), nullptr, {}};
   const SimulationOptions& options = opened.options;
   const bool own = has_own_way(options.way);
