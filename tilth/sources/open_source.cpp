@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include <tilth/core/error.hpp>
+#include <tilth/io/payload_file.hpp>
 #include <tilth/sources/bag_source.hpp>
 #include <tilth/sources/folder_source.hpp>
 #include <tilth/sources/open_source.hpp>

@@ -10,12 +10,9 @@ namespace tilth {
 /// .pcap, .pcapng or .cap, in upper or lower case.
 bool is_capture(const std::filesystem::path& path);
 
-/// The file begins with the payload of a data packet.
-bool is_payload_file(const std::filesystem::path& path);
-
 PacketFeed capture_feed(const std::filesystem::path& path);  ///< throws Error as PcapReader
 
-/// Bytes between payloads are passed over and counted.
+/// Bytes between payloads are passed over and counted. Throws Error as InputFile.
 PacketFeed payload_feed(const std::filesystem::path& path);
 
 }  // namespace tilth

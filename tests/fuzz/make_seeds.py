@@ -1,0 +1,134 @@
+"""Writes the seeds that need no program: python3 tests/fuzz/make_seeds.py (packets as tests/sensor/made_packets.hpp)."""
+import math
+import pathlib
+import struct
+
+SEEDS = pathlib.Path(__file__).parent / "seeds"
+
+
+def write(target, name, content):
+    folder = SEEDS / target
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+
+
+def blocks(azimuth, step, distance):
+    out = b""
+    for block in range(12):
+        out += b"\xff\xee" + struct.pack("<H", round(azimuth + step * block) % 36000)
+        out += b"".join(struct.pack("<HB", distance + 10 * slot, slot) for slot in range(32))
+    return out
+
+
+def short_packet(k, step, period_us, model, mode=0x37):
+    columns = 6 if mode == 0x39 else 12
+    return blocks(k * columns * step, step, 3000) + struct.pack("<IBB", round(1e8 + k * columns * period_us), mode, model)
+
+
+def long_packet(k):
+    return blocks(k * 432, 36, 3000) + bytes([26, 3, 4, 5, 6, 7]) + struct.pack("<IBB", 500000 + 1200 * k, 0x37, 0x10)
+
+
+def device_packet():
+    packet = bytearray(1206)
+    packet[:8] = bytes.fromhex("a5ff005a11115555")
+    packet[8:10] = struct.pack(">H", 600)
+    packet[52:58] = bytes([26, 3, 4, 5, 6, 7])
+    for i, angle in enumerate([-15, 1, -13, 3, -11, 5, -9, 7, -7, 9, -5, 11, -3, 13, -1, 15]):
+        packet[245 + 2 * i:247 + 2 * i] = struct.pack(">h", 100 * angle + 3)
+    packet[1196] = 3
+    return bytes(packet)
+
+
+def position_packet():
+    packet = bytearray(512)
+    packet[198:202] = struct.pack("<I", 393210381)
+    sentence = b"$GPRMC,220632,A,3707.8324,N,12139.2864,W,000.0,144.7,111212,013.8,E,D*09\r\n"
+    packet[206:206 + len(sentence)] = sentence
+    return bytes(packet)
+
+
+def stream(payloads):
+    kinds = {1206: 0, 1212: 1, 512: 2}
+    return b"".join(struct.pack("<BI", kinds[len(p)], 100 + i) + p for i, p in enumerate(payloads))
+
+
+def frame(payload, tag=b""):
+    udp = struct.pack(">HHHH", 2368, 2368, len(payload) + 8, 0) + payload
+    ip = struct.pack(">BBHHHBBH4s4s", 0x45, 0, 20 + len(udp), 7, 0, 64, 17, 0, bytes([192, 168, 1, 200]), b"\xff" * 4)
+    return bytes(12) + tag + b"\x08\x00" + ip + udp
+
+
+def capture(frames, nanoseconds=False):
+    out = struct.pack("<IHHIIII", 0xA1B23C4D if nanoseconds else 0xA1B2C3D4, 2, 4, 0, 0, 65535, 1)
+    return out + b"".join(struct.pack("<IIII", 1700000000, 5 * i, len(f), len(f)) + f for i, f in enumerate(frames))
+
+
+def pcapng(frames):
+    def block(kind, body):
+        body += bytes(-len(body) % 4)
+        return struct.pack("<II", kind, len(body) + 12) + body + struct.pack("<I", len(body) + 12)
+
+    out = block(0x0A0D0D0A, struct.pack("<IHHq", 0x1A2B3C4D, 1, 0, -1)) + block(1, struct.pack("<HHI", 1, 0, 65535))
+    return out + b"".join(block(6, struct.pack("<IIIII", 0, 0, 9, len(f), len(f)) + f) for f in frames)
+
+
+def points(count):
+    return [(3 * math.cos(i / 9), 3 * math.sin(i / 9), (i % 16 - 8) / 9, i % 256) for i in range(count)]
+
+
+def cloud_message(count):
+    text = b"lidar"
+    out = struct.pack("<IIII", 1, 17, 5, len(text)) + text + struct.pack("<III", 1, count, 4)
+    for i, name in enumerate([b"x", b"y", b"z", b"intensity"]):
+        out += struct.pack("<I", len(name)) + name + struct.pack("<IBI", 4 * i, 7, 1)
+    data = b"".join(struct.pack("<4f", *p) for p in points(count))
+    return out + struct.pack("<BIII", 0, 16, 16 * count, len(data)) + data + b"\x01"
+
+
+def pcd(kind, body):
+    return (f"# .PCD v0.7\nVERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 40\n"
+            f"HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 40\nDATA {kind}\n").encode() + body
+
+
+def ply(kind, body):
+    return (f"ply\nformat {kind} 1.0\ncomment made\nelement vertex 40\nproperty float x\nproperty float y\n"
+            f"property float z\nproperty float intensity\nend_header\n").encode() + body
+
+
+def main():
+    vlp16 = [short_packet(k, 39.8, 110.592, 0x22) for k in range(3)]
+    fast = [short_packet(k, 3000, 110.592, 0x22) for k in range(4)]  # many turns in few packets
+    dual = [short_packet(k, 3000, 110.592, 0x22, 0x39) for k in range(4)]
+    hdl32 = [short_packet(k, 16.6, 46.08, 0x21) for k in range(2)]
+    c16 = [short_packet(k, 36, 100, 0x10) for k in range(2)]
+    for name, payloads in {"vlp16": vlp16 + [position_packet()], "fast": fast, "dual": dual, "hdl32": hdl32,
+                           "c16_v3": [device_packet()] + c16, "c16_v4": [long_packet(k) for k in range(3)]}.items():
+        write("packets", name, stream(payloads))
+    frames = [frame(vlp16[0]), frame(position_packet(), b"\x81\x00\x00\x05"), frame(b"other")]
+    write("pcap", "ethernet.pcap", capture(frames))
+    write("pcap", "small.pcap", capture([frame(b"other"), frame(bytes(40), b"\x81\x00\x00\x05")], True))
+    write("pcap", "small.pcapng", pcapng([frame(b"other"), frame(bytes(41))]))
+    write("payload_file", "vlp16", b"".join(vlp16))
+    write("payload_file", "c16_v4", b"".join(long_packet(k) for k in range(3)))
+    write("payload_file", "damaged", vlp16[0] + b"\xff\xee\x00" + vlp16[1])
+    rows = points(40)
+    raw = b"".join(struct.pack("<4f", *p) for p in rows)
+    text = "".join("%.3f %.3f %.3f %d\n" % p for p in rows).encode()
+    literal = b"".join(bytes([len(part) - 1]) + part for part in (raw[i:i + 32] for i in range(0, len(raw), 32)))
+    write("pcd", "ascii.pcd", pcd("ascii", text))
+    write("pcd", "binary.pcd", pcd("binary", raw))
+    write("pcd", "compressed.pcd", pcd("binary_compressed", struct.pack("<II", len(literal), len(raw)) + literal))
+    write("ply", "ascii.ply", ply("ascii", text))
+    write("ply", "little.ply", ply("binary_little_endian", raw))
+    write("ply", "big.ply", ply("binary_big_endian", b"".join(struct.pack(">4f", *p) for p in rows)))
+    write("kitti_bin", "scan.bin", raw)
+    write("point_cloud2", "cloud", cloud_message(40))
+    write("pose_file", "tum.txt", "# t x y z qx qy qz qw\n0.1 1 2 3 0 0 0 1\n0.2 1 2 3 0 0 0.7071068 0.7071068\n")
+    write("pose_file", "kitti.txt", "1 0 0 1 0 1 0 2 0 0 1 3\n1 0 0 2 0 1 0 2 0 0 1 3\n")
+    write("times_file", "times.txt", "0.0\n0.1\n1e-1\n")
+    write("config", "config.yaml", "pipeline: improved_floam\nsor:\n  k: 8\n  alpha: 1.0\nlist: [1, 2]\nanchor: &a {b: c}\n")
+
+
+if __name__ == "__main__":
+    main()

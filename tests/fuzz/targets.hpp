@@ -1,0 +1,145 @@
+// What is fuzzed: every decoder of packets and reader of files, each fed with bytes. Bad bytes may throw tilth::Error;
+// any other exception, a wrong result or a crash is a finding.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "memory_file.hpp"
+#include <tilth/core/error.hpp>
+#include <tilth/io/config_file.hpp>
+#include <tilth/io/kitti_bin.hpp>
+#include <tilth/io/payload_file.hpp>
+#include <tilth/io/pcap.hpp>
+#include <tilth/io/pcd.hpp>
+#include <tilth/io/ply.hpp>
+#include <tilth/io/pose_file.hpp>
+#include <tilth/io/rosbag1.hpp>
+#include <tilth/io/times_file.hpp>
+#include <tilth/sensor/packet_decoder.hpp>
+#include <tilth/sensor/point_cloud2.hpp>
+#include <tilth/sensor/scan_decoder.hpp>
+
+namespace tilth::fuzz {
+
+using Bytes = std::span<const std::byte>;
+
+inline void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+inline void check(const Scan& scan, std::size_t beams) {
+  require(std::isfinite(scan.stamp) && !scan.cloud.empty() && scan.cloud.has_rings() && scan.cloud.has_times());
+  for (const float time : scan.cloud.times) require(time >= 0.0F && std::isfinite(time));
+  for (const std::uint16_t ring : scan.cloud.rings) require(ring < beams);
+  for (const Eigen::Vector3d& point : scan.cloud.points) require(point.allFinite());
+}
+
+/// Every packet is stored as a byte of its kind, four of its arrival [ms], and its payload.
+inline void packets(Bytes bytes) {
+  constexpr std::array<std::size_t, 3> kSizes{1206, 1212, 512};
+  std::vector<Packet> all;
+  while (bytes.size() > 5) {
+    const auto kind = std::to_integer<std::size_t>(bytes[0]);
+    std::uint32_t ms = 0;
+    std::memcpy(&ms, bytes.data() + 1, sizeof ms);
+    const std::size_t size = std::min(kSizes[kind % kSizes.size()], bytes.size() - 5);
+    all.push_back({bytes.subspan(5, size), kind < 128 ? std::optional<double>(ms * 1e-3) : std::nullopt});
+    bytes = bytes.subspan(5 + size);
+  }
+  PacketDecoder decoder(all, {"", Echoes::both});
+  for (const Packet& packet : all) {
+    if (const auto scan = decoder.decode(packet)) check(*scan, decoder.format().channels());
+  }
+  if (const auto scan = decoder.finish()) check(*scan, decoder.format().channels());
+}
+
+inline void pcap(Bytes bytes) {
+  PcapReader reader(bytes, "fuzzed");
+  while (const auto datagram = reader.next()) require(datagram->payload.size() <= 65535);
+  require(reader.counts().datagrams <= reader.counts().frames);
+}
+
+inline void payload_file(Bytes bytes) {
+  PayloadFileReader reader(InputFile(bytes, "fuzzed"));
+  std::size_t taken = 0;
+  while (const auto payload = reader.next()) taken += payload->size();
+  require(taken + reader.skipped() == bytes.size());
+}
+
+inline void decode_records(const PointRecords& records) {
+  require(records.bytes.size() == records.count * records.stride);
+  const StampedRecords stamped{{1.0, std::nullopt}, records};
+  const ScanDecoder decoder(std::span(&stamped, 1), {});
+  const Scan scan = decoder.decode(stamped);
+  for (const Eigen::Vector3d& point : scan.cloud.points) require(point.allFinite());
+}
+
+inline void point_cloud2(Bytes bytes) {
+  decode_records(parse_point_cloud2(bytes).records);
+}
+
+inline void rosbag1(Bytes bytes) {
+  Rosbag1Reader reader(InputFile(bytes, "fuzzed"));
+  for (int i = 0; i < 10000 && reader.next(); ++i) {
+  }
+}
+
+inline void pcd(Bytes bytes) {
+  decode_records(read_pcd(MemoryFile(bytes).path()));
+}
+
+inline void ply(Bytes bytes) {
+  decode_records(read_ply(MemoryFile(bytes).path()));
+}
+
+inline void kitti_bin(Bytes bytes) {
+  decode_records(read_kitti_bin(MemoryFile(bytes).path()));
+}
+
+inline void pose_file(Bytes bytes) {
+  for (const StampedPose& pose : read_pose_file(MemoryFile(bytes).path()).trajectory)
+    require(pose.T_world_lidar.matrix().allFinite());
+}
+
+inline void times_file(Bytes bytes) {
+  for (const double time : read_times(MemoryFile(bytes).path())) require(std::isfinite(time));
+}
+
+inline void config(Bytes bytes) {
+  read_config(MemoryFile(bytes).path());
+}
+
+struct Target {
+  std::string_view name;
+  void (*run)(Bytes);
+};
+
+inline constexpr std::array kTargets{
+    Target{"packets", packets},
+    Target{"pcap", pcap},
+    Target{"payload_file", payload_file},
+    Target{"rosbag1", rosbag1},
+    Target{"pcd", pcd},
+    Target{"ply", ply},
+    Target{"kitti_bin", kitti_bin},
+    Target{"pose_file", pose_file},
+    Target{"times_file", times_file},
+    Target{"config", config},
+    Target{"point_cloud2", point_cloud2},
+};
+
+inline void run(const Target& target, Bytes bytes) {
+  try {
+    target.run(bytes);
+  } catch (const Error&) {  // bad bytes are to be refused
+  }
+}
+
+}  // namespace tilth::fuzz
