@@ -1,5 +1,6 @@
 #include "labelled_scans.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstring>
@@ -66,8 +67,13 @@ std::vector<LabelledCloud> from_scene(const LabelledSource& from) {
 }  // namespace
 
 std::vector<LabelledCloud> labelled_scans(const LabelledSource& source) {
-  const bool is_path = fs::exists(source.name) || source.name.find('/') != std::string::npos;
+  const auto scenes = scene_names();
+  const bool is_scene = std::find(scenes.begin(), scenes.end(), source.name) != scenes.end();
+  const bool is_path = !is_scene && (fs::exists(source.name) || source.name.find('/') != std::string::npos);
   if (is_path && !fs::is_directory(source.name)) throw Error(source.name, "no such folder");
+  if (is_path && !source.simulation.empty()) {
+    throw Error("--" + source.simulation.begin()->first, "is for scenes; " + source.name + " is a recording");
+  }
   std::vector<LabelledCloud> scans = is_path ? from_folder(source) : from_scene(source);
   if (scans.empty()) throw Error(source.name, "has no scan");
   parallel_for(scans.size(), 1, [&](std::size_t begin, std::size_t end) {

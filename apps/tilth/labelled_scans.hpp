@@ -10,7 +10,7 @@
 namespace tilth::app {
 
 struct LabelledSource {
-  std::string name;         ///< folder, or scene
+  std::string name;         ///< scene, or folder; a folder that has the name of a scene by "./name"
   OptionValues simulation;  ///< options of a scene; a folder is as it is
   std::size_t every = 1;    ///< only each n-th scan, from the first on
 };

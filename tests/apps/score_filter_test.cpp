@@ -90,6 +90,7 @@ TEST_F(ScoreFilter, RefusesBadInputByName) {
 
 TEST_F(ScoreFilter, RefusesLabelsThatAreMissingOrDoNotFit) {
   const std::string folder = simulated(), labels = folder + "/labels/000003.bin";
+  expect_refused({"score-filter", folder, "--seed", "3"}, {"--seed", folder});
   std::ofstream(labels, std::ios::app) << "x";
   expect_refused({"score-filter", folder, "--every", "3"}, {"000003.bin", "labels", "points"});
   std::filesystem::remove(labels);

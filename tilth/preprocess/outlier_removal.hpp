@@ -30,7 +30,7 @@ inline std::span<const std::string_view> names_of(DensityTerm) {
 }
 
 struct OutlierOptions {
-  OutlierMethod method = OutlierMethod::weighted;
+  OutlierMethod method = OutlierMethod::support;
   int k = 10;
   double alpha = 1.0;
   DensityTerm density = DensityTerm::inverse;
