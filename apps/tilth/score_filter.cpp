@@ -38,10 +38,11 @@ std::vector<ImprovedFloamOptions> options_to_try(const ScoreFilterArguments& arg
   for (const char* reading : kReadings) {
     for (const char* k : kNeighbors) {
       for (const char* alpha : kAlphas) {
-        OptionValues values{{"outliers.method", "weighted"}, {"outliers.density", reading}};
-        values.insert(given.begin(), given.end());
-        values["outliers.k"] = k, values["outliers.alpha"] = alpha;
-        values["outliers.density"] = reading;
+        OptionValues values{{"outliers.method", "weighted"},
+                            {"outliers.density", reading},
+                            {"outliers.k", k},
+                            {"outliers.alpha", alpha}};
+        values.insert(given.begin(), given.end());  // those that are swept stay as they are
         all.push_back(with<ImprovedFloamOptions>(values));
       }
     }
