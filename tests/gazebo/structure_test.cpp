@@ -81,6 +81,12 @@ TEST_F(Structure, GazebosOwnGroundPlaneAndSunNeedNoFile) {
   load();
   EXPECT_TRUE(warnings_.empty());
   EXPECT_NEAR(range({40, 40, 2}, -kZ), 2, kExact);
+  write_world(
+      "<include><uri>https://far.away/models/Sun</uri></include>"
+      "<include><uri>https://far.away/models/Ground Plane</uri></include>");
+  load();
+  EXPECT_TRUE(warnings_.empty());
+  EXPECT_NEAR(range({40, 40, 2}, -kZ), 2, kExact);
 }
 
 TEST_F(Structure, ModelsThatIncludeThemselvesAreNamedAndLeftOut) {

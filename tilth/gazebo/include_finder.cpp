@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 #include <iterator>
 
@@ -44,6 +45,18 @@ std::vector<std::string> included_uris(const std::string& text) {
   return uris;
 }
 
+/// The last part of a URI in small letters, its blanks as underlines: "ground_plane" of the classic and of the later
+/// URI.
+std::string plain_name(const std::string& uri) {
+  std::string name;
+  for (std::size_t i = uri.find_last_of('/') + 1; i < uri.size(); ++i) {
+    const bool blank = uri[i] == ' ' || uri.compare(i, 3, "%20") == 0;
+    if (uri[i] == '%' && blank) i += 2;
+    name.push_back(blank ? '_' : char(std::tolower(static_cast<unsigned char>(uri[i]))));
+  }
+  return name;
+}
+
 }  // namespace
 
 std::string IncludeFinder::find(const std::string& uri) {
@@ -53,9 +66,9 @@ std::string IncludeFinder::find(const std::string& uri) {
   if (const auto path = model_path_.find(uri, folder_)) {
     if (ends(*path)) return path->string();
     warnings_.add("model " + uri + " includes itself; left out");
-  } else if (uri == "model://ground_plane") {
+  } else if (plain_name(uri) == "ground_plane") {
     ground_plane_ = true;
-  } else if (uri != "model://sun") {
+  } else if (plain_name(uri) != "sun") {
     warnings_.add("model " + uri + " is not found in " + model_path_.listing() + "; left out");
   }
   return "";

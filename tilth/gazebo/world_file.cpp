@@ -17,6 +17,8 @@
 namespace tilth {
 namespace {
 
+constexpr std::string_view kWorldHasErrors = "Failed to load a world.";  // said beside the errors themselves
+
 /// "line 12, /sdf/world[...]: what is wrong", as far as the parser tells.
 std::string text_of(const sdf::Error& error) {
   std::string text;
@@ -82,7 +84,8 @@ WorldFile read_world_file(const std::filesystem::path& path, const std::vector<s
     throw Error(path.string(), torn ? "<sdf> is no well-formed XML" : text_of(errors.front()));
   }
   for (const sdf::Error& error : errors) {
-    if (error.Code() != sdf::ErrorCode::URI_LOOKUP) warnings.add(text_of(error));
+    const bool told = error.Code() == sdf::ErrorCode::URI_LOOKUP || error.Message() == kWorldHasErrors;
+    if (!told) warnings.add(text_of(error));
   }
   WorldBuilder builder(model_path, warnings);
   if (includes.ground_plane()) builder.add_ground_plane();
