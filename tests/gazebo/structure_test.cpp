@@ -113,6 +113,15 @@ TEST_F(Structure, AModelFileIsAWorldOfOneModel) {
   EXPECT_NEAR(range(kOrigin, kX), 1.5, kExact);
 }
 
+TEST_F(Structure, AClassicWorldMayBeginWithAComment) {
+  write("chair.obj", "v 1 -1 -1\nv 1 1 -1\nv 1 0 2\nf 1 2 3\n");
+  write("test.world", "<!-- Usage -->\n<?xml version=\"1.0\" ?>\n<sdf version=\"1.5\"><world name=\"w\">" +
+                          model("m", "2 0 0 0 0 0", "<mesh><uri>chair.obj</uri></mesh>") + "</world></sdf>");
+  load();
+  EXPECT_TRUE(warnings_.empty());
+  EXPECT_NEAR(range(kOrigin, kX), 3, kExact);
+}
+
 TEST_F(Structure, WhatIsNoWorldIsRefusedByName) {
   expect_refused("no such file");
   write("test.world", std::string("\x00\x01\xff garbage", 11));

@@ -27,8 +27,8 @@ std::string text_of(const sdf::Error& error) {
   return text + error.Message();
 }
 
-/// Refuses what is no SDF before libsdformat takes it for a robot's description.
-void check_that_it_is_sdf(const std::filesystem::path& path) {
+/// Its text; what is no SDF is refused before libsdformat takes it for a robot's description.
+std::string sdf_text(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw Error(path.string(), "no such file");
   std::ifstream in(path, std::ios::binary);
@@ -38,6 +38,15 @@ void check_that_it_is_sdf(const std::filesystem::path& path) {
   if (sdf == std::string::npos) throw Error(path.string(), "is no world: it has no element <sdf>");
   const std::string tag = text.substr(sdf, text.find('>', sdf) - sdf);
   if (tag.find("version") == std::string::npos) throw Error(path.string(), "<sdf> has no attribute version");
+  return text;
+}
+
+/// Worlds of Gazebo classic may have a comment before <?xml ...?>, where XML allows nothing: there it is taken out.
+sdf::Errors load(sdf::Root& root, const std::filesystem::path& path, const std::string& text) {
+  const std::size_t begin = text.find("<?xml"), end = text.find("?>", std::min(begin, text.size()));
+  const bool late = begin != std::string::npos && end != std::string::npos && text.find('<') < begin;
+  if (!late) return root.Load(std::filesystem::absolute(path).string());
+  return root.LoadSdfString(text.substr(0, begin) + text.substr(end + 2));
 }
 
 /// libsdformat looks for models within models, and says what is wrong with them, by its global settings alone: they are
@@ -70,13 +79,13 @@ bool is_world_file(const std::string& name) {
 }
 
 WorldFile read_world_file(const std::filesystem::path& path, const std::vector<std::string>& model_folders) {
-  check_that_it_is_sdf(path);
+  const std::string text = sdf_text(path);
   const ModelPath model_path(path, model_folders);
   Warnings warnings;
   IncludeFinder includes(model_path, std::filesystem::absolute(path).parent_path(), warnings);
   const ParserSettings settings([&](const std::string& uri) { return includes.find(uri); });
   sdf::Root root;
-  const sdf::Errors errors = root.Load(std::filesystem::absolute(path).string());
+  const sdf::Errors errors = load(root, path, text);
   const sdf::World* world = root.WorldCount() > 0 ? root.WorldByIndex(0) : nullptr;
   if (!world && !root.Model()) {
     if (errors.empty()) throw Error(path.string(), "has neither a <world> nor a <model>");
