@@ -1,5 +1,5 @@
 // Lets scripts see files through Tilth's readers and writers:
-//   format_probe dump FILE        fields, then one line of numbers a point (.pcd .ply .bin), or the messages of a .bag
+//   format_probe dump FILE        fields, then one line of numbers a point (.pcd .ply .bin), or the messages of a bag
 //   format_probe copy FILE FILE   reads one point file or bag, writes another (bags: lz4 where the name has "lz4" in
 //   it)
 #include <cstdio>
@@ -12,6 +12,7 @@
 #include <tilth/io/ply.hpp>
 #include <tilth/io/rosbag1.hpp>
 #include <tilth/io/rosbag1_writer.hpp>
+#include <tilth/io/rosbag2.hpp>
 #include <tilth/io/text_lines.hpp>
 
 namespace {
@@ -43,8 +44,9 @@ void dump_points(const tilth::PointRecords& records) {
   }
 }
 
+template <class Reader>
 void dump_bag(const path& file) {
-  tilth::Rosbag1Reader reader(file);
+  Reader reader(file);
   for (const tilth::Connection& c : reader.connections()) {
     std::cout << "connection " << c.id << " " << c.topic << " " << c.type << " " << c.md5 << " " << c.messages << "\n";
   }
@@ -81,7 +83,9 @@ int main(int argc, char** argv) {
     const bool bag = path(arguments[2]).extension() == ".bag";
     std::ios::sync_with_stdio(true);
     if (dump && bag)
-      dump_bag(arguments[2]);
+      dump_bag<tilth::Rosbag1Reader>(arguments[2]);
+    else if (dump && tilth::is_rosbag2(arguments[2]))
+      dump_bag<tilth::Rosbag2Reader>(arguments[2]);
     else if (dump)
       dump_points(read_points(arguments[2]));
     else if (bag)

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kAgreement = 2.0;    ///< [s] between clocks that show the same time
 constexpr double kLargestStep = 1.0;  ///< [s] a larger one, or one back, is a jump where the arrivals tell another
+constexpr double kEvenly = 0.999;     ///< [steps] at least between packets timed by their arrival
 constexpr double kMostLate = 0.5;     ///< [s] a packet this much before the last one was overtaken on its way
 
 std::string seconds(double value) {
@@ -80,7 +81,7 @@ std::optional<double> PacketClock::time(const ClockReading& reading) {
 double PacketClock::stood_still(const ClockReading& reading) const {
   const double next = last_ ? *last_ + traits_.step : reading.arrival.value_or(0.0);
   if (!reading.arrival || !last_) return next;
-  return std::max(*reading.arrival, *last_ + 0.5 * traits_.step);  // packets handed over together
+  return std::max(*reading.arrival, *last_ + kEvenly * traits_.step);  // packets handed over together
 }
 
 std::optional<double> PacketClock::advance(const ClockReading& reading) {

@@ -71,11 +71,12 @@ std::optional<Scan> PacketDecoder::decode(const Packet& packet) {
   ++counts_.data;
   const std::optional<double> time = clock_.time(read_clock(data, packet.arrival, convention_.clock));
   counts_.clock_jumps = clock_.jumps();
-  if (!time) {
+  const double before = format().stamped_last() ? format().last_shot(data.dual()) : 0.0;
+  if (!time || (head_ && *time - before <= head_->time)) {
     ++counts_.late;
     return std::nullopt;
   }
-  return decode_data(data, *time - (format().stamped_last() ? format().last_shot(data.dual()) : 0.0));
+  return decode_data(data, *time - before);
 }
 
 std::optional<Scan> PacketDecoder::decode_data(const DataPacket& packet, double first_shot) {

@@ -36,7 +36,7 @@ struct PacketCounts {
   std::size_t data = 0, device = 0, position = 0;  ///< packets
   std::size_t other = 0;                           ///< packets of another kind, length or sensor
   std::size_t lost = 0;                            ///< packets missing between those that came, by their times
-  std::size_t late = 0;                            ///< data packets left out: repeated, or after a later one
+  std::size_t late = 0;        ///< data packets left out: repeated, after a later one, or overlapping one
   std::size_t incomplete = 0;  ///< turns left out: less than half of one, or cut off by the end of the packets
   std::size_t clock_jumps = 0;
 };

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 #include <tilth/core/error.hpp>
 #include <tilth/sensor/point_cloud2.hpp>
@@ -16,39 +17,6 @@ namespace {
 constexpr std::array kTypes{FieldType::i8,  FieldType::u8,  FieldType::i16, FieldType::u16,
                             FieldType::i32, FieldType::u32, FieldType::f32, FieldType::f64};
 constexpr std::size_t kMostFields = 1000;
-
-/// Takes little-endian values off the front of the message.
-class Reader {
- public:
-  explicit Reader(std::span<const std::byte> bytes) : rest_(bytes) {}
-
-  std::span<const std::byte> bytes(std::size_t count, const char* field) {
-    if (count > rest_.size()) {
-      throw Error(std::string("PointCloud2 ") + field, "needs " + std::to_string(count) + " bytes, the message has " +
-                                                           std::to_string(rest_.size()) + " left");
-    }
-    const std::span<const std::byte> taken = rest_.first(count);
-    rest_ = rest_.subspan(count);
-    return taken;
-  }
-
-  template <class T>
-  T number(const char* field) {
-    const std::span<const std::byte> raw = bytes(sizeof(T), field);
-    T value = 0;
-    for (std::size_t i = sizeof(T); i-- > 0;)
-      value = T((std::uint64_t(value) << 8) | std::to_integer<std::uint64_t>(raw[i]));
-    return value;
-  }
-
-  std::string text(const char* field) {
-    const std::span<const std::byte> raw = bytes(number<std::uint32_t>(field), field);
-    return {reinterpret_cast<const char*>(raw.data()), raw.size()};
-  }
-
- private:
-  std::span<const std::byte> rest_;
-};
 
 class Writer {
  public:
@@ -67,7 +35,7 @@ class Writer {
   std::vector<std::byte> bytes_;
 };
 
-std::optional<PointField> read_field(Reader& reader) {
+std::optional<PointField> read_field(RosMessageReader& reader) {
   PointField field;
   field.name = reader.text("fields.name");
   field.offset = reader.number<std::uint32_t>("fields.offset");
@@ -81,7 +49,7 @@ std::optional<PointField> read_field(Reader& reader) {
   return field;
 }
 
-std::vector<PointField> read_fields(Reader& reader) {
+std::vector<PointField> read_fields(RosMessageReader& reader) {
   const std::uint32_t count = reader.number<std::uint32_t>("fields");
   if (count > kMostFields) throw Error("PointCloud2 fields", std::to_string(count) + " of them are more than 1000");
   std::vector<PointField> fields;
@@ -126,13 +94,12 @@ std::uint8_t datatype_of(const PointField& field) {
 
 }  // namespace
 
-PointCloud2 parse_point_cloud2(std::span<const std::byte> message) {
-  Reader reader(message);
+PointCloud2 parse_point_cloud2(std::span<const std::byte> message, Serialization serialization) {
+  RosMessageReader reader(message, serialization, "PointCloud2");
   PointCloud2 cloud;
-  reader.number<std::uint32_t>("header.seq");
-  const std::uint32_t seconds = reader.number<std::uint32_t>("header.stamp");
-  cloud.stamp = double(seconds) + 1e-9 * double(reader.number<std::uint32_t>("header.stamp"));
-  cloud.frame_id = reader.text("header.frame_id");
+  RosMessageReader::Header header = reader.header();
+  cloud.stamp = header.stamp;
+  cloud.frame_id = std::move(header.frame_id);
   const std::uint64_t height = reader.number<std::uint32_t>("height");
   const std::uint64_t width = reader.number<std::uint32_t>("width");
   PointRecords& records = cloud.records;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <tilth/core/point_records.hpp>
+#include <tilth/sensor/ros_message.hpp>
 
 namespace tilth {
 
@@ -24,7 +25,7 @@ extern const std::string_view kPointCloud2Definition;  ///< text of the message 
 
 /// Throws Error naming the field of the message that contradicts the bytes there are. Of fields with count > 1 the
 /// first element.
-PointCloud2 parse_point_cloud2(std::span<const std::byte> message);
+PointCloud2 parse_point_cloud2(std::span<const std::byte> message, Serialization serialization = Serialization::ros1);
 
 /// One row of records. Throws Error where a field has a type that the message knows none for (64 bit integers), where
 /// the cloud is longer than 2^32 bytes, or the stamp lies outside [0, 2^32) s.

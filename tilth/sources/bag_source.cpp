@@ -1,64 +1,81 @@
+#include <deque>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <tilth/core/error.hpp>
-#include <tilth/io/rosbag1.hpp>
+#include <tilth/sensor/packet_message.hpp>
 #include <tilth/sensor/point_cloud2.hpp>
+#include <tilth/sources/bag_reader.hpp>
 #include <tilth/sources/bag_source.hpp>
+#include <tilth/sources/packet_source.hpp>
 #include <tilth/sources/recorded_source.hpp>
 
 namespace tilth {
 namespace {
 
-std::string listed(const std::vector<Connection>& connections) {
-  std::map<std::string, std::string> types;
-  for (const Connection& connection : connections) types[connection.topic] = connection.type;
-  std::string text;
-  for (const auto& [topic, type] : types) text += (text.empty() ? "" : ", ") + topic + " (" + type + ")";
-  return text.empty() ? "no topics" : text;
+bool is_cloud(const std::string& type) {
+  return type == kPointCloud2Type || type == "sensor_msgs/msg/PointCloud2";
 }
 
-std::vector<std::string> topic_lines(const std::vector<Connection>& connections) {
-  std::map<std::string, std::uint64_t> messages;
-  for (const Connection& connection : connections)
-    messages["topic " + connection.topic + ": " + connection.type] += connection.messages;
+struct Topic {
+  std::string name, type;
+  std::size_t messages = 0;
+};
+
+std::map<std::string, Topic> topics_of(const std::vector<Connection>& connections) {
+  std::map<std::string, Topic> topics;
+  for (const Connection& c : connections) {
+    Topic& topic = topics[c.topic];
+    topic.name = c.topic, topic.type = c.type;
+    topic.messages += std::size_t(c.messages);
+  }
+  return topics;
+}
+
+std::vector<std::string> topic_lines(const std::map<std::string, Topic>& topics) {
   std::vector<std::string> lines;
-  for (const auto& [topic, count] : messages) lines.push_back(topic + ", " + std::to_string(count) + " messages");
+  for (const auto& [name, topic] : topics)
+    lines.push_back("topic " + name + ": " + topic.type + ", " + std::to_string(topic.messages) + " messages");
   return lines;
 }
 
-/// The topic to read and the messages it holds.
-std::pair<std::string, std::size_t> cloud_topic(const std::string& bag, const std::vector<Connection>& connections,
-                                                const std::string& wanted) {
-  std::map<std::string, std::size_t> clouds;
-  for (const Connection& connection : connections) {
-    if (connection.type == kPointCloud2Type) clouds[connection.topic] += std::size_t(connection.messages);
+/// The topic to read: the one asked for, else the only one of point clouds, else the only one of packets.
+Topic choose_topic(const std::string& bag, const std::map<std::string, Topic>& topics, const std::string& wanted) {
+  std::string has;
+  std::vector<Topic> clouds, packets;
+  for (const auto& [name, topic] : topics) {
+    has += (has.empty() ? "; the bag has " : ", ") + name + " (" + topic.type + ")";
+    if (is_cloud(topic.type)) clouds.push_back(topic);
+    if (is_packet_message(topic.type)) packets.push_back(topic);
   }
-  const std::string has = "; the bag has " + listed(connections);
+  if (has.empty()) has = "; the bag has no topics";
+  const std::string cloud_type(kPointCloud2Type);
   if (!wanted.empty()) {
-    const auto it = clouds.find(wanted);
-    if (it == clouds.end()) throw Error(bag, "topic " + wanted + " holds no " + std::string(kPointCloud2Type) + has);
-    return *it;
+    const auto it = topics.find(wanted);
+    if (it != topics.end() && (is_cloud(it->second.type) || is_packet_message(it->second.type))) return it->second;
+    throw Error(bag, "topic " + wanted + " holds no " + cloud_type + " or packets" + has);
   }
-  if (clouds.empty()) throw Error(bag, "no topic holds " + std::string(kPointCloud2Type) + has);
-  if (clouds.size() > 1) throw Error(bag, "several topics hold point clouds, name one by --topic" + has);
-  return *clouds.begin();
+  const std::vector<Topic>& candidates = clouds.empty() ? packets : clouds;
+  if (candidates.empty()) throw Error(bag, "no topic holds " + cloud_type + " or packets" + has);
+  if (candidates.size() > 1) throw Error(bag, "several topics hold point clouds, name one by --topic" + has);
+  return candidates.front();
 }
 
 /// Hands over the messages one by one, then what is damaged.
-class MessageReader {
+class CloudReader {
  public:
-  MessageReader(std::string name, std::shared_ptr<Rosbag1Reader> bag) : name_(std::move(name)), bag_(std::move(bag)) {}
+  CloudReader(std::string name, BagReader bag) : name_(std::move(name)), bag_(std::move(bag)) {}
 
   std::optional<RecordedScan> operator()() {
     if (ended_) return std::nullopt;
     RecordedScan scan{next_, name_ + ", message " + std::to_string(next_), {}, ""};
     ++next_;
     try {
-      const std::optional<Message> message = bag_->next();
+      const std::optional<Message> message = bag_.next();
       if (!message) return end();
-      PointCloud2 cloud = parse_point_cloud2(message->bytes);
+      PointCloud2 cloud = parse_point_cloud2(message->bytes, bag_.serialization);
       const double arrival = 1e-9 * double(message->stamp);
       scan.records = {{cloud.stamp > 0.0 ? cloud.stamp : arrival, arrival}, std::move(cloud.records)};
     } catch (const Error& error) {
@@ -70,30 +87,77 @@ class MessageReader {
  private:
   std::optional<RecordedScan> end() {
     ended_ = true;
-    if (bag_->problem().empty()) return std::nullopt;
-    return RecordedScan{next_ - 1, name_, {}, "the recording is damaged: " + bag_->problem()};
+    if (bag_.problem().empty()) return std::nullopt;
+    return RecordedScan{next_ - 1, name_, {}, "the recording is damaged: " + bag_.problem()};
   }
 
   std::string name_;
-  std::shared_ptr<Rosbag1Reader> bag_;
+  BagReader bag_;
   std::size_t next_ = 0;
   bool ended_ = false;
 };
 
+/// Packets of messages, one by one.
+class MessagePackets {
+ public:
+  MessagePackets(BagReader bag, std::string type) : bag_(std::move(bag)), type_(std::move(type)) {}
+
+  std::optional<ReceivedPacket> next() {
+    while (waiting_.empty()) {
+      const std::optional<Message> message = bag_.next();
+      if (!message) return std::nullopt;
+      take(*message);
+    }
+    ReceivedPacket packet = std::move(waiting_.front());
+    waiting_.pop_front();
+    return packet;
+  }
+
+  std::string problem() const {
+    const std::string damage = bag_.problem();
+    return damage.empty() || problem_.empty() ? damage + problem_ : damage + "; " + problem_;
+  }
+
+ private:
+  void take(const Message& message) {
+    try {
+      for (const StampedPayload& p : parse_packet_message(type_, message.bytes, bag_.serialization)) {
+        const double arrival = p.stamp > 0.0 ? p.stamp : 1e-9 * double(message.stamp);
+        waiting_.push_back({arrival, 0, {p.payload.begin(), p.payload.end()}});
+      }
+    } catch (const Error& error) {
+      if (problem_.empty()) problem_ = error.what();
+    }
+  }
+
+  BagReader bag_;
+  std::string type_, problem_;
+  std::deque<ReceivedPacket> waiting_;
+};
+
 }  // namespace
 
-std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const SourceOptions& options) {
-  auto bag = std::make_shared<Rosbag1Reader>(path);
-  const auto [topic, messages] = cloud_topic(path.string(), bag->connections(), options.topic);
-  bag->select({topic});
-  std::vector<std::string> decisions{
-      "source: topic " + topic + " of " + path.string() + ", " + std::to_string(messages) + " messages",
-      "stamps: of the message headers; where one is 0, of the recorder"};
-  std::vector<std::string> topics = topic_lines(bag->connections());
-  auto source = std::make_unique<RecordedSource>(MessageReader(path.string(), std::move(bag)), RecordingTraits{},
-                                                 std::move(decisions), messages);
-  source->add_contents(std::move(topics));
-  return source;
+std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const SourceOptions& options,
+                                     const OptionValues& packets) {
+  BagReader bag = open_bag_reader(path);
+  const std::map<std::string, Topic> topics = topics_of(bag.connections);
+  const Topic topic = choose_topic(path.string(), topics, options.topic);
+  bag.select(topic.name);
+  const std::string source = "topic " + topic.name + " of " + path.string();
+  if (is_packet_message(topic.type)) {
+    const auto reader = std::make_shared<MessagePackets>(std::move(bag), topic.type);
+    return open_packets({source, topic_lines(topics), [reader] { return reader->next(); },
+                         [] { return std::vector<std::string>{}; }, [reader] { return reader->problem(); }},
+                        with<PacketSourceOptions>(packets));
+  }
+  if (!packets.empty())
+    throw Error("option " + packets.begin()->first, "means nothing for the point clouds of " + source);
+  std::vector<std::string> decisions{"source: " + source + ", " + std::to_string(topic.messages) + " messages",
+                                     "stamps: of the message headers; where one is 0, of the recorder"};
+  auto recorded = std::make_unique<RecordedSource>(CloudReader(path.string(), std::move(bag)), RecordingTraits{},
+                                                   std::move(decisions), topic.messages);
+  recorded->add_contents(topic_lines(topics));
+  return recorded;
 }
 
 }  // namespace tilth

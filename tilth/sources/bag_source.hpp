@@ -1,4 +1,4 @@
-// Point clouds of a ROS 1 bag.
+// Point clouds or packets of a ROS 1 or ROS 2 bag.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,10 @@
 
 namespace tilth {
 
-/// The sensor_msgs/PointCloud2 messages of one topic, by the stamps of their headers. Messages that cannot be read are
-/// passed over; damage of the bag is told in skipped(). Throws Error listing the topics where `options.topic` is none
-/// of them, or is empty and there is not exactly one.
-std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const SourceOptions& options);
+/// One topic: sensor_msgs/PointCloud2 by the stamps of their headers, or packets (see packet_message.hpp). Messages
+/// that cannot be read are passed over; damage of the bag is told in skipped(). Throws Error listing the topics where
+/// `options.topic` is none of them, or is empty and there is not exactly one of point clouds, or else of packets.
+std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const SourceOptions& options,
+                                     const OptionValues& packets);
 
 }  // namespace tilth

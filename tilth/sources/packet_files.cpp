@@ -32,17 +32,20 @@ bool is_capture(const std::filesystem::path& path) {
 PacketFeed capture_feed(const std::filesystem::path& path) {
   const auto capture = std::make_shared<PcapReader>(path);
   return {path.string(),
+          {},
           [capture]() -> std::optional<ReceivedPacket> {
             std::optional<Datagram> datagram = capture->next();
             if (!datagram) return std::nullopt;
             return ReceivedPacket{datagram->arrival, datagram->source, std::move(datagram->payload)};
           },
-          [capture] { return notices_of(capture->counts()); }, [capture] { return capture->problem(); }};
+          [capture] { return notices_of(capture->counts()); },
+          [capture] { return capture->problem(); }};
 }
 
 PacketFeed payload_feed(const std::filesystem::path& path) {
   const auto file = std::make_shared<PayloadFileReader>(InputFile(path));
   return {path.string(),
+          {},
           [file]() -> std::optional<ReceivedPacket> {
             std::optional<std::vector<std::byte>> payload = file->next();
             return payload ? std::optional(ReceivedPacket{std::nullopt, 0, std::move(*payload)}) : std::nullopt;

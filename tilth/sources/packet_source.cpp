@@ -30,9 +30,12 @@ class PacketSource : public ScanSource {
       if (p.sender == sender_) packets.push_back({p.payload, p.arrival});
     }
     decoder_.emplace(packets, options.decoder);
-    for (const auto& [sender, count] : senders_)
+    contents_ = feed_.contents;
+    for (const auto& [sender, count] : senders_) {
+      if (sender == 0) continue;
       contents_.push_back("sender " + address_text(sender) + ": " + counted(count, "data packet") + " of the first " +
                           std::to_string(first_.size()));
+    }
     decisions_.push_back("source: packets of " + feed_.name +
                          (sender_ != 0 ? ", sent by " + address_text(sender_) : ""));
     decisions_.insert(decisions_.end(), decoder_->decisions().begin(), decoder_->decisions().end());

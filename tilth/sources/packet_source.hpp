@@ -23,7 +23,8 @@ struct ReceivedPacket {
 
 /// Where packets come from. What it captures it owns.
 struct PacketFeed {
-  std::string name;                                     ///< of the file
+  std::string name;                                     ///< of the file, or the topic in it
+  std::vector<std::string> contents;                    ///< of the file, see ScanSource::contents()
   std::function<std::optional<ReceivedPacket>()> next;  ///< nothing at the end
   std::function<std::vector<std::string>()> notices;    ///< of the format, see ScanSource::notices()
   std::function<std::string()> problem;                 ///< what is damaged; empty: nothing

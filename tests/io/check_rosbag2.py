@@ -1,0 +1,106 @@
+"""ROS 2 bags written by the package rosbags: every message bit for bit, and their clouds as `tilth info` sees them.
+Arguments: the programs format_probe and tilth."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from needs import needs  # noqa: E402
+
+numpy, rosbags = needs("numpy", "rosbags")
+from rosbags.rosbag2 import StoragePlugin, Writer  # noqa: E402
+from rosbags.typesys import Stores, get_typestore  # noqa: E402
+
+PROBE, TILTH = sys.argv[1:3]
+BEGIN = 1_600_000_000_000_000_123  # ns
+STORE = get_typestore(Stores.ROS2_HUMBLE)
+CLOUD, TEXT = "sensor_msgs/msg/PointCloud2", "std_msgs/msg/String"
+
+
+def cloud(index):
+    """2,400 points of 16 beams around the sensor, one turn, with times."""
+    types = STORE.types
+    count = numpy.arange(2400)
+    azimuth = -2 * numpy.pi * count / len(count)
+    slope = numpy.tan(numpy.radians(count % 16 * 2.0 - 15))
+    points = numpy.zeros(len(count), dtype="f4,f4,f4,f4,u2,f4")
+    points["f0"], points["f1"], points["f2"] = 5 * numpy.cos(azimuth), 5 * numpy.sin(azimuth), 5 * slope
+    points["f3"], points["f4"], points["f5"] = count % 200, count % 16, 0.1 * count / len(count)
+    field = types["sensor_msgs/msg/PointField"]
+    names = ["x", "y", "z", "intensity", "ring", "time"]
+    fields = [field(n, points.dtype.fields[f"f{i}"][1], 4 if n == "ring" else 7, 1) for i, n in enumerate(names)]
+    stamp = types["builtin_interfaces/msg/Time"](sec=1_600_000_000 + index // 10, nanosec=index % 10 * 100_000_000)
+    header = types["std_msgs/msg/Header"](stamp=stamp, frame_id="velodyne")
+    data = numpy.frombuffer(points.tobytes(), dtype="u1")
+    return types[CLOUD](header, 1, len(count), fields, False, points.itemsize, points.nbytes, data, True)
+
+
+def some_messages():
+    messages = []
+    for i in range(12):
+        stamp = BEGIN + i * 100_000_000
+        messages.append(("/points", stamp, bytes(STORE.serialize_cdr(cloud(i), CLOUD))))
+        messages.append(("/log", stamp - 500_000_000, bytes(STORE.serialize_cdr(STORE.types[TEXT](f"note {i}"), TEXT))))
+    return messages
+
+
+def write_bag(folder, messages):
+    with Writer(folder, version=8, storage_plugin=StoragePlugin.SQLITE3) as writer:
+        connections = {
+            "/points": writer.add_connection("/points", CLOUD, typestore=STORE),
+            "/log": writer.add_connection("/log", TEXT, typestore=STORE),
+        }
+        for topic, stamp, data in messages:
+            writer.write(connections[topic], stamp, data)
+
+
+def run(*arguments):
+    return subprocess.run(list(map(str, arguments)), capture_output=True, text=True)
+
+
+def read_by_us(path):
+    probe = run(PROBE, "dump", path)
+    assert probe.returncode == 0, probe.stderr
+    topics, messages, problem = {}, [], None
+    for line in probe.stdout.splitlines():
+        kind, *words = line.split()
+        if kind == "connection":
+            topics[words[0]] = words[1]
+        elif kind == "message":
+            messages.append((topics[words[0]], int(words[1]), bytes.fromhex(words[2])))
+        else:
+            problem = line.removeprefix("problem").strip()
+    return messages, problem
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    folder = pathlib.Path(temporary) / "a bag é"
+    messages = some_messages()
+    write_bag(folder, messages)
+    expected = sorted(messages, key=lambda message: message[1])
+    database = next(folder.glob("*.db3"))
+    for path in (folder, database):
+        assert read_by_us(path) == (expected, ""), path
+    info = run(TILTH, "info", folder)
+    for line in ("topic /log: std_msgs/msg/String, 12 messages", "scans: 12 over 1.100 s", "beams: 16",
+                 "points: 2400 a scan", "fields: x f32, y f32, z f32, intensity f32, ring u16, time f32"):
+        assert line in info.stdout, (line, info.stdout, info.stderr)
+    (folder / "metadata.yaml").unlink()
+    assert read_by_us(folder) == (expected, "")
+
+    data = database.read_bytes()
+    cut = pathlib.Path(temporary) / "cut.db3"
+    cut.write_bytes(data[: len(data) * 2 // 3])
+    part = run(PROBE, "dump", cut)
+    known = {f"{stamp} {data.hex()}" for _, stamp, data in messages}
+    for line in part.stdout.splitlines():
+        assert not line.startswith("message") or line.split(" ", 2)[2] in known, line[:80]
+    assert part.returncode == 1 or "problem " in part.stdout
+    cut.write_bytes(b"no database at all" * 100)
+    assert "cut.db3" in run(PROBE, "dump", cut).stderr
+    shutil.rmtree(folder)
+
+print("ROS 2 bags agree")

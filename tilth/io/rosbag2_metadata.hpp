@@ -1,0 +1,13 @@
+// The metadata.yaml of a ROS 2 bag, as far as reading needs it.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace tilth {
+
+/// The files of the bag in `folder`, in order: those its metadata.yaml lists, else every .db3. Throws Error where there
+/// are none, the metadata is damaged, or the bag is compressed or stored otherwise.
+std::vector<std::filesystem::path> rosbag2_files(const std::filesystem::path& folder);
+
+}  // namespace tilth

@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <tilth/core/error.hpp>
+#include <tilth/sensor/packet_message.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr std::array<std::string_view, 3> kScans{"VelodyneScan", "LslidarScan", "LslidarC16ScanUnified"};
+constexpr std::array<std::string_view, 3> kSingles{"VelodynePacket", "LslidarPacket", "LslidarC16Packet"};
+constexpr std::array<std::size_t, 2> kSizes{1206, 1212};
+constexpr std::size_t kStamp = 8;
+
+bool among(std::span<const std::string_view> names, std::string_view type) {
+  const std::string_view name = type.substr(type.rfind('/') + 1);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// [bytes] of a packet's data, which the message does not tell: the size that fills it.
+std::size_t packet_size(const RosMessageReader& reader, std::size_t count) {
+  for (const std::size_t size : kSizes) {
+    const std::size_t whole = kStamp + size;
+    const std::size_t stride = reader.serialization() == Serialization::cdr ? (whole + 3) / 4 * 4 : whole;
+    const std::size_t needed = (count - 1) * stride + whole;
+    if (reader.left() >= needed && reader.left() < needed + 4) return size;
+  }
+  throw Error("packets", "of " + std::to_string(count) + " in " + std::to_string(reader.left()) +
+                             " bytes are neither of 1206 nor of 1212 bytes");
+}
+
+}  // namespace
+
+bool is_packet_message(std::string_view type) {
+  return among(kScans, type) || among(kSingles, type);
+}
+
+std::vector<StampedPayload> parse_packet_message(std::string_view type, std::span<const std::byte> message,
+                                                 Serialization serialization) {
+  RosMessageReader reader(message, serialization, std::string(type));
+  std::size_t count = 1;
+  if (among(kScans, type)) {
+    reader.header();
+    count = reader.number<std::uint32_t>("packets");
+  }
+  if (count == 0) return {};
+  const std::size_t size = packet_size(reader, count);
+  std::vector<StampedPayload> packets;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double stamp = reader.time("packets.stamp");
+    packets.push_back({stamp, reader.bytes(size, "packets.data")});
+  }
+  return packets;
+}
+
+}  // namespace tilth
