@@ -2,6 +2,7 @@
 
 #include <tilth/odometry/improved_floam.hpp>
 #include <tilth/odometry/make_odometry.hpp>
+#include <tilth/odometry/tilth_odometry.hpp>
 
 namespace tilth {
 namespace {
@@ -21,6 +22,8 @@ Pipeline pipeline(const std::string& name, const std::string& summary) {
 
 const std::vector<Pipeline>& all() {
   static const std::vector<Pipeline> pipelines{
+      pipeline<TilthOdometry, TilthOptions>(
+          "tilth", "patches of surface, a map by the way they face, pose and velocity estimated together"),
       pipeline<ImprovedFloam, ImprovedFloamOptions>("improved_floam",
                                                     "FLOAM with statistical outlier removal and GICP (Fu et al. 2026)"),
   };

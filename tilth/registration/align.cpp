@@ -13,7 +13,7 @@ bool solve(const LinearSystem& system, Vector6d& step) {
   return factor.info() == Eigen::Success && step.allFinite();
 }
 
-void diagnose(const LinearSystem& system, const AlignOptions& options, AlignResult& result) {
+void diagnose(const LinearSystem& system, double degeneracy_ratio, AlignResult& result) {
   result.matches = system.matches;
   result.error = system.error;
   result.information = system.H;
@@ -23,7 +23,7 @@ void diagnose(const LinearSystem& system, const AlignOptions& options, AlignResu
   scale.head<3>().setConstant(range > 0 ? 1 / range : 1.0);
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * system.H * scale.asDiagonal());
   const double strongest = eigen.eigenvalues()[5];
-  const double weakest = std::max(options.degeneracy_ratio * strongest, 1e-9);
+  const double weakest = std::max(degeneracy_ratio * strongest, 1e-9);
   result.degenerate_directions = int((eigen.eigenvalues().array() < weakest).count());
   const double freedom = std::max(1.0, 3.0 * double(system.matches) - 6.0);
   const double variance = system.matches == 0 ? 1.0 : std::max(2 * system.error / freedom, 1e-12);

@@ -63,7 +63,7 @@ void accumulate(LinearSystem& system, std::span<const R> residuals, const Pose& 
 bool solve(const LinearSystem& system, Vector6d& step);
 
 /// Fills information, covariance and degenerate directions from the last system.
-void diagnose(const LinearSystem& system, const AlignOptions& options, AlignResult& result);
+void diagnose(const LinearSystem& system, double degeneracy_ratio, AlignResult& result);
 
 /// Moves T_init until the pairs of all `associate(T) -> vector of Residual` agree. The pairs, and whatever they derive
 /// from T, are made anew in every iteration. Too few pairs: T_init comes back, not converged.
@@ -92,7 +92,7 @@ AlignResult align(const Pose& T_init, const AlignOptions& options, const Associa
     result.converged = still || std::abs(error - last_error) <= options.fitness_epsilon * error;
     last_error = error;
   }
-  diagnose(system, options, result);
+  diagnose(system, options.degeneracy_ratio, result);
   return result;
 }
 

@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+
+#include <tilth/features/ring_segments.hpp>
+
+namespace tilth {
+namespace {
+
+struct Sighting {
+  float azimuth;  // [rad]
+  std::uint32_t index;
+};
+using RingOrder = std::vector<Sighting>;
+
+constexpr float kMostSteps = 4.0f;  // columns without a return that still are one run
+
+bool before(const Sighting& a, const Sighting& b) {
+  return a.azimuth < b.azimuth;
+}
+
+// Firing order is ascending or descending azimuth from anywhere on the circle: both are put right without sorting.
+void put_in_order(RingOrder& ring) {
+  std::size_t ascents = 0;
+  for (std::size_t i = 1; i < ring.size(); ++i) ascents += ring[i - 1].azimuth < ring[i].azimuth;
+  if (2 * ascents < ring.size()) std::reverse(ring.begin(), ring.end());
+  std::rotate(ring.begin(), std::is_sorted_until(ring.begin(), ring.end(), before), ring.end());
+  if (!std::is_sorted(ring.begin(), ring.end(), before)) std::stable_sort(ring.begin(), ring.end(), before);
+}
+
+std::vector<RingOrder> rings_of(const PointCloud& cloud) {
+  if (!cloud.has_rings() || cloud.empty()) return {};
+  std::vector<RingOrder> rings(std::size_t(*std::max_element(cloud.rings.begin(), cloud.rings.end())) + 1);
+  for (RingOrder& ring : rings) ring.reserve(2 * cloud.size() / rings.size());
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d& p = cloud.points[i];
+    rings[cloud.rings[i]].push_back({std::atan2(float(p.y()), float(p.x())), i});
+  }
+  for (RingOrder& ring : rings) put_in_order(ring);
+  return rings;
+}
+
+// [rad] between two firings: the median of some of the steps.
+float column_step(const RingOrder& ring) {
+  std::vector<float> steps;
+  const std::size_t stride = std::max<std::size_t>(1, ring.size() / 64);
+  for (std::size_t i = stride; i < ring.size(); i += stride) steps.push_back(ring[i].azimuth - ring[i - 1].azimuth);
+  if (steps.empty()) return 1e-4f;
+  std::nth_element(steps.begin(), steps.begin() + std::ptrdiff_t(steps.size() / 2), steps.end());
+  return std::max(steps[steps.size() / 2], 1e-4f);
+}
+
+// Cuts one ring; adds up the moments of a run about its first point.
+class RingCutter {
+ public:
+  RingCutter(const PointCloud& cloud, const SegmentOptions& options) : cloud_(cloud), options_(options) {}
+
+  std::vector<RingSegment> cut(const RingOrder& ring) {
+    segments_.clear();
+    const double step = column_step(ring);
+    bool after_jump = true;
+    Sighting last{};
+    double last_range = 0;
+    for (const Sighting& sighting : ring) {
+      const Eigen::Vector3d& p = cloud_.points[sighting.index];
+      const double range = p.norm();
+      if (count_ > 0) {
+        const double gap = (p - cloud_.points[last.index]).norm();
+        const bool jump = std::abs(range - last_range) > std::max(options_.min_jump, options_.jump_share * range) ||
+                          gap > std::max(options_.min_jump, 12 * range * step) ||
+                          sighting.azimuth - last.azimuth > kMostSteps * step;
+        if (jump || (p - first_).norm() > std::max(options_.length, 4.5 * step * range)) {
+          close(last.azimuth, after_jump && jump);
+          after_jump = jump;
+        }
+      }
+      add(sighting, p);
+      last = sighting;
+      last_range = range;
+    }
+    if (count_ > 0) close(last.azimuth, after_jump);
+    return segments_;
+  }
+
+ private:
+  void add(const Sighting& sighting, const Eigen::Vector3d& p) {
+    if (count_++ == 0) {
+      first_ = p;
+      first_azimuth_ = sighting.azimuth;
+      sum_.setZero();
+      squares_.setZero();
+      times_ = 0;
+    }
+    const Eigen::Vector3d d = p - first_;
+    sum_ += d;
+    squares_.noalias() += d * d.transpose();
+    if (cloud_.has_times()) times_ += cloud_.times[sighting.index];
+  }
+
+  void close(float last_azimuth, bool free) {
+    const double n = count_;
+    if (count_ >= options_.min_points) {
+      const Eigen::Vector3d offset = sum_ / n;
+      segments_.push_back({.mean = first_ + offset,
+                           .scatter = squares_ - n * offset * offset.transpose(),
+                           .azimuth = 0.5f * (first_azimuth_ + last_azimuth),
+                           .width = last_azimuth - first_azimuth_,
+                           .time = float(times_ / n),
+                           .count = count_,
+                           .free = free});
+    }
+    count_ = 0;
+  }
+
+  const PointCloud& cloud_;
+  const SegmentOptions& options_;
+  std::vector<RingSegment> segments_;
+  Eigen::Vector3d first_, sum_;
+  Eigen::Matrix3d squares_;
+  double times_ = 0;
+  float first_azimuth_ = 0;
+  int count_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::vector<RingSegment>> ring_segments(const PointCloud& cloud, const SegmentOptions& options) {
+  std::vector<std::vector<RingSegment>> segments;
+  RingCutter cutter(cloud, options);
+  for (const RingOrder& ring : rings_of(cloud)) segments.push_back(cutter.cut(ring));
+  return segments;
+}
+
+}  // namespace tilth

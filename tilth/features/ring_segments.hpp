@@ -1,0 +1,43 @@
+// Every ring of a scan cut into short runs of neighbouring points, with their moments: at a step in depth, and where a
+// run has its length. O(n) where each ring's points come in the order of their firing, either way round.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <tilth/core/options.hpp>
+#include <tilth/core/point_cloud.hpp>
+
+namespace tilth {
+
+struct SegmentOptions {
+  double length = 0.25;
+  double min_jump = 0.15;
+  double jump_share = 0.03;
+  int min_points = 3;
+};
+
+template <class V>
+void visit(SegmentOptions& o, V&& v) {
+  v("length", o.length, Bounds{0.01, 10}, "[m] of a run of points of one beam, which make one patch; at least 4 steps");
+  v("min_jump", o.min_jump, Bounds{0.001, 10}, "[m] step in range that ends a run, at least");
+  v("jump_share", o.jump_share, Bounds{0, 1}, "[-] step in range that ends a run, as a share of the range, at least");
+  v("min_points", o.min_points, Bounds{2, 1000}, "[points] fewer are no patch");
+}
+
+struct RingSegment {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();     ///< [m]
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();  ///< sum of (p - mean)(p - mean)^T
+  float azimuth = 0.0f;                               ///< [rad] of its middle
+  float width = 0.0f;                                 ///< [rad]
+  float time = 0.0f;                                  ///< [s] mean of its points; 0 where they have none
+  int count = 0;                                      ///< points
+  bool free = false;                                  ///< ends at a step in depth on both sides
+};
+
+/// The segments of each ring, ascending in azimuth. A cloud without rings has none.
+std::vector<std::vector<RingSegment>> ring_segments(const PointCloud& cloud, const SegmentOptions& options);
+
+}  // namespace tilth

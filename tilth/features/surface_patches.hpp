@@ -1,0 +1,33 @@
+// A scan as patches of surface: the runs of each beam, with the shape that the beams above and below give them. A
+// single beam draws a line on whatever it meets, and a line that travels with the sensor says nothing true about the
+// surface: only runs of neighbouring beams that lie in one plane make a patch with a normal. O(n).
+#pragma once
+
+#include <tilth/core/surface_patch.hpp>
+#include <tilth/features/ring_segments.hpp>
+
+namespace tilth {
+
+struct PatchOptions {
+  SegmentOptions segments;
+  double max_thickness = 0.04;
+  double max_gap = 0.3;
+  double max_gap_share = 0.06;
+  double pole_width = 0.6;
+};
+
+template <class V>
+void visit(PatchOptions& o, V&& v) {
+  v("segments", o.segments, "[-] the runs of each beam");
+  v("max_thickness", o.max_thickness, Bounds{0.001, 1}, "[m] standard deviation from the plane of a flat patch");
+  v("max_gap", o.max_gap, Bounds{0.01, 10},
+    "[m] between two beams that make a patch where there is no third in the same plane, at least");
+  v("max_gap_share", o.max_gap_share, Bounds{0, 1}, "[-] the same as a share of the range");
+  v("pole_width", o.pole_width, Bounds{0, 10}, "[m] a run that stands free and is narrower is part of a pole");
+}
+
+/// The patches of a scan, ring by ring; none of a cloud without rings. Runs that no beam beside belongs to are left
+/// out.
+SurfacePatches surface_patches(const PointCloud& cloud, const PatchOptions& options);
+
+}  // namespace tilth

@@ -1,0 +1,79 @@
+// A bounded map of Gaussians that gather patches of surface. Each voxel keeps one Gaussian for each of the six
+// directions that a flat patch can face, and one for everything that is not flat: floor and wall that meet in a voxel,
+// or the two sides of a door, do not mix. The target of GICP (voxelized as in Koide et al. 2021). Time grows with the
+// patches.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <tilth/core/options.hpp>
+#include <tilth/core/surface_patch.hpp>
+#include <tilth/map/voxel_table.hpp>
+
+namespace tilth {
+
+struct PatchMapOptions {
+  double voxel_size = 0.5;
+  int max_patches = 60;
+  double max_range = 100.0;
+  double surface_variance = 1e-4;
+  double blur = 0.01;
+};
+
+template <class V>
+void visit(PatchMapOptions& o, V&& v) {
+  v("voxel_size", o.voxel_size, Bounds{0.01, 100}, "[m] side of a voxel");
+  v("max_patches", o.max_patches, Bounds{1, 1e9}, "[patches] after which a Gaussian changes no more");
+  v("max_range", o.max_range, Bounds{1, 1e5}, "[m] voxels farther from the sensor are forgotten");
+  v("surface_variance", o.surface_variance, Bounds{1e-12, 1}, "[m^2] variance along a surface's normal, at least");
+  v("blur", o.blur, Bounds{0, 100}, "[m^2] variance added to what is no surface");
+}
+
+/// The surface of one voxel that faces one way, or what there is in it that is not flat.
+struct MapSurface {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();        ///< [m] in the map's frame
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< unit, towards where it was seen from
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< [m^2] wide along a flat surface
+  double variance = 0.0;                                 ///< [m^2] along the normal
+  bool flat = false;
+};
+
+class PatchMap {
+ public:
+  explicit PatchMap(const PatchMapOptions& options) : options_(options) {}
+
+  /// Adds patches of a scan, given in the sensor's frame. O(patches).
+  void insert(const SurfacePatches& patches, const Pose& T_map_lidar);
+
+  /// Forgets voxels farther than max_range from `center`. O(voxels), but amortised: it acts once the center has moved
+  /// far enough.
+  void crop(const Eigen::Vector3d& center);
+
+  /// Of the eight voxels around `point`, the nearest surface that faces as a patch with `normal` does (any direction
+  /// where the patch is not `flat`), or nullptr.
+  const MapSurface* find(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, bool flat) const;
+
+  const std::vector<MapSurface>& surfaces() const { return surfaces_; }
+
+ private:
+  struct Sums {
+    std::int64_t key;
+    std::uint32_t count = 0, fresh_count = 0;               ///< patches; and when the surface was last made
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();      ///< of the patches' means
+    Eigen::Matrix3d covariances = Eigen::Matrix3d::Zero();  ///< sum over the patches
+    Eigen::Vector3d normals = Eigen::Vector3d::Zero();      ///< sum over the patches
+  };
+
+  void refresh(const Sums& sums, MapSurface& surface) const;
+
+  PatchMapOptions options_;
+  VoxelTable table_;
+  std::vector<MapSurface> surfaces_;
+  std::vector<Sums> sums_;  // of surfaces_
+  Eigen::Vector3d last_center_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace tilth

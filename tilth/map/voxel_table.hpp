@@ -1,0 +1,69 @@
+// A hash table from voxels to consecutive numbers: open addressing, at most half full, a few nanoseconds a probe.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace tilth {
+
+/// A voxel, and which of up to eight things in it is meant, as one integer.
+inline std::int64_t voxel_key(const Eigen::Vector3i& voxel, int kind) {
+  constexpr std::int64_t kReach = 1 << 19;  // voxels from the origin: 20 bits an axis
+  return ((voxel.x() + kReach) << 43) | ((voxel.y() + kReach) << 23) | ((voxel.z() + kReach) << 3) | kind;
+}
+
+class VoxelTable {
+ public:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+  VoxelTable() { clear(); }
+
+  /// The number of `key`, or kNone.
+  std::uint32_t find(std::int64_t key) const { return slots_[slot_of(key)].number; }
+
+  /// The number of `key`, which is the next one, size(), if it was not there.
+  std::uint32_t insert(std::int64_t key) {
+    if (2 * (size_ + 1) > slots_.size()) grow();
+    Slot& slot = slots_[slot_of(key)];
+    if (slot.number == kNone) slot = {key, size_++};
+    return slot.number;
+  }
+
+  std::uint32_t size() const { return size_; }
+
+  void clear() {
+    slots_.assign(1024, {0, kNone});
+    size_ = 0;
+  }
+
+ private:
+  struct Slot {
+    std::int64_t key;
+    std::uint32_t number;
+  };
+
+  std::size_t slot_of(std::int64_t key) const {
+    const std::uint64_t h = std::uint64_t(key) * 0x9E3779B97F4A7C15ull;  // Fibonacci hashing
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t i = std::size_t(h ^ (h >> 32)) & mask;
+    while (slots_[i].number != kNone && slots_[i].key != key) i = (i + 1) & mask;
+    return i;
+  }
+
+  void grow() {
+    std::vector<Slot> old(2 * slots_.size(), {0, kNone});
+    old.swap(slots_);
+    for (const Slot& slot : old) {
+      if (slot.number != kNone) slots_[slot_of(slot.key)] = slot;
+    }
+  }
+
+  std::vector<Slot> slots_;
+  std::uint32_t size_ = 0;
+};
+
+}  // namespace tilth

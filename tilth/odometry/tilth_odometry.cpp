@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include <tilth/odometry/tilth_odometry.hpp>
+#include <tilth/preprocess/crop.hpp>
+
+namespace tilth {
+namespace {
+
+// [s] from the stamp to the last point.
+double duration_of(const PointCloud& cloud) {
+  return cloud.has_times() ? double(*std::max_element(cloud.times.begin(), cloud.times.end())) : 0.0;
+}
+
+std::vector<std::uint32_t> kept(const PointCloud& cloud, const RingSupportOptions& options) {
+  const std::optional<std::vector<std::uint8_t>> keep = ring_support(cloud, options);
+  std::vector<std::uint32_t> indices;
+  indices.reserve(cloud.size());
+  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+    if (!keep || (*keep)[i] != 0) indices.push_back(i);
+  }
+  return indices;
+}
+
+// Patches as they are seen from the middle of the scan.
+SurfacePatches straightened(SurfacePatches patches, const Vector6d& velocity, double middle) {
+  const MotionState state{.velocity = velocity, .middle = middle};
+  for (SurfacePatch& patch : patches) {
+    const Pose T_middle_patch = straightening(state, patch);
+    const Eigen::Matrix3d R = T_middle_patch.linear();
+    patch.mean = T_middle_patch * patch.mean;
+    patch.normal = R * patch.normal;
+    patch.covariance = R * patch.covariance * R.transpose();
+  }
+  return patches;
+}
+
+}  // namespace
+
+OdometryResult TilthOdometry::register_scan(const Scan& scan) {
+  OdometryResult result;
+  begin_stage("crop");
+  const PointCloud cloud = crop_range(scan.cloud, options_.min_range, options_.max_range);
+  begin_stage("outliers");
+  result.filtered = select(cloud, kept(cloud, options_.outliers));
+  begin_stage("features");
+  const SurfacePatches patches = surface_patches(result.filtered, options_.patches);
+
+  begin_stage("registration");
+  const double duration = duration_of(cloud), middle = 0.5 * duration;
+  motion_.interval = registered_ > 0 ? scan.stamp + middle - last_middle_ : 0.0;
+  const MovingAlignment alignment = register_patches(patches, middle);
+  begin_stage("map");
+  insert(patches, middle, alignment);
+  last_middle_ = scan.stamp + middle;
+
+  result.alignment = alignment.pose;
+  result.velocity = alignment.velocity;
+  result.stamp = scan.stamp + options_.pose_at * duration;
+  const double since_middle = (options_.pose_at - 0.5) * duration;
+  result.T_world_lidar = retract(alignment.pose.T_target_source, alignment.velocity * since_middle);
+  const auto flat = std::count_if(patches.begin(), patches.end(), [](const SurfacePatch& p) { return p.flat; });
+  result.counts = {cloud.size(), cloud.size() - result.filtered.size(), patches.size() - std::size_t(flat),
+                   std::size_t(flat)};
+  return result;
+}
+
+MovingAlignment TilthOdometry::register_patches(const SurfacePatches& patches, double middle) {
+  const auto in_map = [this](const Eigen::Vector3d& p, const Eigen::Vector3d& n, bool flat) {
+    return map_.find(p, n, flat);
+  };
+  if (registered_ == 0) {
+    const bool enough = patches.size() >= std::size_t(options_.align.min_matches);
+    return {.pose = {.T_target_source = motion_.T_map_last, .converged = enough, .candidates = patches.size()}};
+  }
+  if (registered_ > 1) return align_moving(patches, middle, motion_, in_map, options_.align);
+  // The second scan tells how the sensor moved in the first one, which then is straightened anew.
+  constexpr int kRounds = 4;
+  MovingAlignment alignment;
+  for (int round = 0; round < kRounds; ++round) {
+    alignment = align_moving(patches, middle, motion_, in_map, options_.align);
+    motion_.velocity = alignment.velocity;
+    map_ = PatchMap(options_.map);
+    map_.insert(straightened(first_patches_, alignment.velocity, first_middle_), motion_.T_map_last);
+  }
+  return alignment;
+}
+
+void TilthOdometry::insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment) {
+  const bool is_first = registered_ == 0 && alignment.pose.converged;
+  if (is_first) {
+    first_patches_ = patches;
+    first_middle_ = middle;
+  }
+  motion_ = next(motion_, alignment);
+  if (!is_first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
+  const Pose& T_map_middle = alignment.pose.T_target_source;
+  map_.insert(straightened(patches, alignment.velocity, middle), T_map_middle);
+  map_.crop(T_map_middle.translation());
+  ++registered_;
+}
+
+PointCloud TilthOdometry::local_map() const {
+  PointCloud map_in_world;
+  for (const MapSurface& surface : map_.surfaces()) map_in_world.points.push_back(surface.mean);
+  return map_in_world;
+}
+
+}  // namespace tilth

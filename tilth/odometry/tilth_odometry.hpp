@@ -1,0 +1,53 @@
+// The pipeline `tilth`: patches of surface whose shape two or three beams agree on, a map of Gaussians by the way they
+// face, and pose and velocity estimated together.
+#pragma once
+
+#include <tilth/features/surface_patches.hpp>
+#include <tilth/map/patch_map.hpp>
+#include <tilth/odometry/odometry.hpp>
+#include <tilth/preprocess/ring_support.hpp>
+#include <tilth/registration/align_moving.hpp>
+
+namespace tilth {
+
+struct TilthOptions {
+  double min_range = 0.5;
+  double max_range = 100.0;
+  double pose_at = 0.5;
+  RingSupportOptions outliers;
+  PatchOptions patches;
+  AlignMovingOptions align;
+  PatchMapOptions map;
+};
+
+template <class V>
+void visit(TilthOptions& o, V&& v) {
+  v("min_range", o.min_range, Bounds{0, 1e4}, "[m] nearer points are dropped");
+  v("max_range", o.max_range, Bounds{0.1, 1e4}, "[m] farther points are dropped");
+  v("pose_at", o.pose_at, Bounds{0, 1}, "[-] instant of the pose within the scan: 0 its first point, 1 its last one");
+  v("outliers", o.outliers, "[-] outlier removal, by the beams beside a point");
+  v("patches", o.patches, "[-] patches of surface");
+  v("align", o.align, "[-] registration of pose and velocity");
+  v("map", o.map, "[-] local map");
+}
+
+class TilthOdometry : public Odometry {
+ public:
+  explicit TilthOdometry(const TilthOptions& options) : options_(options), map_(options.map) {}
+  OdometryResult register_scan(const Scan& scan) override;
+  PointCloud local_map() const override;
+
+ private:
+  MovingAlignment register_patches(const SurfacePatches& patches, double middle);
+  void insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment);
+
+  TilthOptions options_;
+  PatchMap map_;
+  MotionPrior motion_;
+  double last_middle_ = 0.0;    // [s] of the last scan
+  std::size_t registered_ = 0;  // scans in the map
+  SurfacePatches first_patches_;
+  double first_middle_ = 0.0;  // [s] since the stamp of the first scan
+};
+
+}  // namespace tilth

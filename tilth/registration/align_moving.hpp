@@ -1,0 +1,147 @@
+// Registration of a scan that was taken in motion: the pose in the middle of the scan and the velocity during it are
+// estimated together, so that the scan is straightened by its own motion and not by that of the scan before.
+#pragma once
+
+#include <concepts>
+#include <vector>
+
+#include <tilth/core/options.hpp>
+#include <tilth/core/surface_patch.hpp>
+#include <tilth/registration/align_result.hpp>
+
+namespace tilth {
+
+struct AlignMovingOptions {
+  int max_iterations = 20;
+  double rotation_epsilon = 1e-5;
+  double translation_epsilon = 1e-4;
+  double max_distance = 2.0;
+  double min_cosine = 0.8;
+  double patch_variance = 2e-4;
+  double first_kernel_width = 10.0;
+  double kernel_width = 2.0;
+  double acceleration = 10.0;
+  double angular_acceleration = 20.0;
+  double velocity_slack = 0.01;
+  double velocity_share = 0.1;
+  double degeneracy_ratio = 1e-3;
+  int min_matches = 20;
+};
+
+template <class V>
+void visit(AlignMovingOptions& o, V&& v) {
+  v("max_iterations", o.max_iterations, Bounds{1, 10000}, "[-] associations at most");
+  v("rotation_epsilon", o.rotation_epsilon, Bounds{0, 1}, "[rad] stop when a step is smaller");
+  v("translation_epsilon", o.translation_epsilon, Bounds{0, 1}, "[m] stop when a step is smaller");
+  v("max_distance", o.max_distance, Bounds{1e-3, 100}, "[m] between a patch and its match");
+  v("min_cosine", o.min_cosine, Bounds{-1, 1}, "[-] between the normals of a patch and its match");
+  v("patch_variance", o.patch_variance, Bounds{1e-12, 1}, "[m^2] added to the variance of every pair");
+  v("first_kernel_width", o.first_kernel_width, Bounds{1e-3, 1e9},
+    "[sigma] at which the Geman-McClure kernel begins to act in the first iteration; halved in each that follows");
+  v("kernel_width", o.kernel_width, Bounds{1e-3, 1e9}, "[sigma] the same in the last iterations");
+  v("acceleration", o.acceleration, Bounds{1e-3, 1e6}, "[m/s^2] standard deviation from constant velocity");
+  v("angular_acceleration", o.angular_acceleration, Bounds{1e-3, 1e6}, "[rad/s^2] the same of the rotation");
+  v("velocity_slack", o.velocity_slack, Bounds{1e-6, 1e6},
+    "[m/s^2, rad/s^2] by which the velocity in a scan may differ from the motion since the last one");
+  v("velocity_share", o.velocity_share, Bounds{0, 10}, "[-] the same as a share of the acceleration seen, in addition");
+  v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
+    "[-] a direction with less information than this share of the best one is degenerate");
+  v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept");
+}
+
+/// What is known before the scan. Instants are the middles of scans.
+struct MotionPrior {
+  Pose T_map_last = Pose::Identity();       ///< the last pose
+  Vector6d velocity = Vector6d::Zero();     ///< [rad/s, m/s] expected, in the LiDAR's frame
+  Vector6d last_motion = Vector6d::Zero();  ///< [rad/s, m/s] mean velocity between the last two poses
+  double interval = 0.0;                    ///< [s] since the last pose; > 0
+  bool known = false;                       ///< false: nothing is known of the motion yet, only that it is steady
+};
+
+struct MovingAlignment {
+  AlignResult pose;                      ///< T_target_source is at `middle`
+  Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s] during the scan, in the LiDAR's frame
+};
+
+/// What is known after a scan, for the next one; `interval` is still to be set.
+MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment);
+
+/// A patch and the surface it is held against: where it is in the map, the normal or covariance there.
+struct PatchPair {
+  const SurfacePatch* patch;
+  Eigen::Vector3d point_in_lidar;  ///< [m] straightened to the middle of the scan
+  Eigen::Vector3d offset_in_map;   ///< [m] from the surface's mean
+  Eigen::Matrix3d joint;           ///< [m^2] covariance of both, in the map's frame
+  Eigen::Vector3d normal_in_map;   ///< of a flat surface
+};
+
+/// A look-up of the target: the surface for a point and its normal, or nullptr.
+template <class L>
+concept SurfaceLookup = requires(const L& lookup, const Eigen::Vector3d& p) {
+  { lookup(p, p, true)->mean } -> std::convertible_to<Eigen::Vector3d>;
+  { lookup(p, p, true)->normal } -> std::convertible_to<Eigen::Vector3d>;
+  { lookup(p, p, true)->covariance } -> std::convertible_to<Eigen::Matrix3d>;
+};
+
+/// The state that is estimated.
+struct MotionState {
+  Pose T_map_lidar = Pose::Identity();   ///< at `middle`
+  Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s]
+  double middle = 0.0;                   ///< [s] since the stamp of the scan
+};
+
+/// `p` of a patch seen at `time`, as it is seen from the middle of the scan: exp(velocity (time - middle)).
+inline Pose straightening(const MotionState& state, const SurfacePatch& patch) {
+  return exp(state.velocity * (double(patch.time) - state.middle));
+}
+
+template <SurfaceLookup Lookup>
+std::vector<PatchPair> associate_patches(const SurfacePatches& patches, const MotionState& state, const Lookup& target,
+                                         const AlignMovingOptions& options) {
+  std::vector<PatchPair> pairs;
+  pairs.reserve(patches.size());
+  const double max_squared = options.max_distance * options.max_distance;
+  for (const SurfacePatch& patch : patches) {
+    const Pose T_middle_patch = straightening(state, patch);
+    const Eigen::Vector3d point = T_middle_patch * patch.mean, point_in_map = state.T_map_lidar * point;
+    const Eigen::Matrix3d R = state.T_map_lidar.linear() * T_middle_patch.linear();
+    const Eigen::Vector3d normal = R * patch.normal;
+    const auto* surface = target(point_in_map, normal, patch.flat);
+    if (surface == nullptr) continue;
+    const Eigen::Vector3d offset = point_in_map - surface->mean;
+    if (offset.squaredNorm() > max_squared) continue;
+    if (patch.flat && normal.dot(surface->normal) < options.min_cosine) continue;
+    Eigen::Matrix3d joint = R * patch.covariance * R.transpose() + surface->covariance;
+    joint.diagonal().array() += options.patch_variance;
+    pairs.push_back({&patch, point, offset, joint, surface->normal});
+  }
+  return pairs;
+}
+
+/// One damped step on `pairs` and the prior; false where there are too few pairs or no solution.
+bool step_moving(const std::vector<PatchPair>& pairs, const MotionPrior& prior, double kernel_width,
+                 const AlignMovingOptions& options, MotionState& state, MovingAlignment& result);
+
+/// The state at which the patches agree with the target, and the prior. Pairs are made anew in every iteration; the
+/// kernel narrows from first_kernel_width to kernel_width (graduated non-convexity, Yang et al. 2020). Too few pairs:
+/// the predicted pose comes back, not converged.
+template <SurfaceLookup Lookup>
+MovingAlignment align_moving(const SurfacePatches& patches, double middle, const MotionPrior& prior,
+                             const Lookup& target, const AlignMovingOptions& options) {
+  MotionState state{retract(prior.T_map_last, prior.velocity * prior.interval), prior.velocity, middle};
+  MovingAlignment result{.pose = {.T_target_source = state.T_map_lidar}, .velocity = state.velocity};
+  result.pose.candidates = patches.size();
+  double width = options.first_kernel_width;
+  while (result.pose.iterations < options.max_iterations && !result.pose.converged) {
+    width = std::max(options.kernel_width, width);
+    const auto pairs = associate_patches(patches, state, target, options);
+    if (!step_moving(pairs, prior, width, options, state, result)) return result;
+    result.pose.converged &= width <= options.kernel_width;
+    width /= 2;
+  }
+  result.pose.T_target_source = state.T_map_lidar;
+  result.velocity = state.velocity;
+  return result;
+}
+
+}  // namespace tilth
