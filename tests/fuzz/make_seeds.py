@@ -1,7 +1,9 @@
 """Writes the seeds that need no program: python3 tests/fuzz/make_seeds.py (packets as tests/sensor/made_packets.hpp)."""
 import math
 import pathlib
+import sqlite3
 import struct
+import tempfile
 
 SEEDS = pathlib.Path(__file__).parent / "seeds"
 
@@ -86,6 +88,58 @@ def cloud_message(count):
     return out + struct.pack("<BIII", 0, 16, 16 * count, len(data)) + data + b"\x01"
 
 
+def cloud_cdr(count):
+    out = bytearray(b"\x00\x01\x00\x00")
+
+    def number(kind, value):
+        size = struct.calcsize(kind)
+        out.extend(bytes(-(len(out) - 4) % size) + struct.pack("<" + kind, value))
+
+    def text(value):
+        number("I", len(value) + 1)
+        out.extend(value + b"\x00")
+
+    number("I", 17)
+    number("I", 5)
+    text(b"lidar")
+    for value in (1, count, 4):
+        number("I", value)
+    for i, name in enumerate([b"x", b"y", b"z", b"intensity"]):
+        text(name)
+        number("I", 4 * i)
+        number("B", 7)
+        number("I", 1)
+    number("B", 0)
+    for value in (16, 16 * count, 16 * count):
+        number("I", value)
+    out.extend(b"".join(struct.pack("<4f", *p) for p in points(count)) + b"\x01")
+    return bytes(out)
+
+
+def scan_message(payloads, cdr):
+    name = b"velodyne" + b"\x00" * cdr
+    out = struct.pack("<II" if cdr else "<III", *([] if cdr else [1]), 17, 5) + struct.pack("<I", len(name)) + name
+    out += bytes(-len(out) % 4) * cdr + struct.pack("<I", len(payloads))
+    for payload in payloads:
+        out += bytes(-len(out) % 4) * cdr + struct.pack("<II", 17, 5) + payload
+    return b"\x00\x01\x00\x00" * cdr + out
+
+
+def database(messages):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "bag.db3"
+        bag = sqlite3.connect(path)
+        bag.execute("PRAGMA page_size = 512")
+        bag.execute("CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT)")
+        bag.execute("CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB)")
+        bag.execute("INSERT INTO topics VALUES (1, '/points', 'sensor_msgs/msg/PointCloud2', 'cdr')")
+        for i, message in enumerate(messages):
+            bag.execute("INSERT INTO messages VALUES (?, 1, ?, ?)", (i, 1000 * i, message))
+        bag.commit()
+        bag.close()
+        return path.read_bytes()
+
+
 def pcd(kind, body):
     return (f"# .PCD v0.7\nVERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 40\n"
             f"HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 40\nDATA {kind}\n").encode() + body
@@ -124,6 +178,11 @@ def main():
     write("ply", "big.ply", ply("binary_big_endian", b"".join(struct.pack(">4f", *p) for p in rows)))
     write("kitti_bin", "scan.bin", raw)
     write("point_cloud2", "cloud", cloud_message(40))
+    write("point_cloud2_cdr", "cloud", cloud_cdr(40))
+    write("packet_message", "velodyne_ros1", b"\x01" + scan_message(vlp16[:2], False))
+    write("packet_message", "velodyne_cdr", b"\x03" + scan_message(vlp16[:2], True))
+    write("packet_message", "lslidar", b"\x00" + struct.pack("<II", 17, 5) + long_packet(0))
+    write("rosbag2", "bag.db3", database([cloud_cdr(10), cloud_cdr(12)]))
     write("pose_file", "tum.txt", "# t x y z qx qy qz qw\n0.1 1 2 3 0 0 0 1\n0.2 1 2 3 0 0 0.7071068 0.7071068\n")
     write("pose_file", "kitti.txt", "1 0 0 1 0 1 0 2 0 0 1 3\n1 0 0 2 0 1 0 2 0 0 1 3\n")
     write("times_file", "times.txt", "0.0\n0.1\n1e-1\n")

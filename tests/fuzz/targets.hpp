@@ -21,8 +21,10 @@
 #include <tilth/io/ply.hpp>
 #include <tilth/io/pose_file.hpp>
 #include <tilth/io/rosbag1.hpp>
+#include <tilth/io/rosbag2.hpp>
 #include <tilth/io/times_file.hpp>
 #include <tilth/sensor/packet_decoder.hpp>
+#include <tilth/sensor/packet_message.hpp>
 #include <tilth/sensor/point_cloud2.hpp>
 #include <tilth/sensor/scan_decoder.hpp>
 
@@ -91,6 +93,27 @@ inline void rosbag1(Bytes bytes) {
   }
 }
 
+inline void rosbag2(Bytes bytes) {
+  const MemoryFile file(bytes);
+  Rosbag2Reader reader(file.path());
+  for (int i = 0; i < 10000 && reader.next(); ++i) {
+  }
+}
+
+/// The first byte tells type and serialisation.
+inline void packet_message(Bytes bytes) {
+  if (bytes.empty()) return;
+  const auto kind = std::to_integer<unsigned>(bytes[0]);
+  const char* type = kind & 1 ? "velodyne_msgs/VelodyneScan" : "lslidar_msgs/LslidarPacket";
+  const Serialization serialization = kind & 2 ? Serialization::cdr : Serialization::ros1;
+  for (const StampedPayload& packet : parse_packet_message(type, bytes.subspan(1), serialization))
+    require(packet.payload.size() == 1206 || packet.payload.size() == 1212);
+}
+
+inline void point_cloud2_cdr(Bytes bytes) {
+  decode_records(parse_point_cloud2(bytes, Serialization::cdr).records);
+}
+
 inline void pcd(Bytes bytes) {
   decode_records(read_pcd(MemoryFile(bytes).path()));
 }
@@ -133,6 +156,9 @@ inline constexpr std::array kTargets{
     Target{"times_file", times_file},
     Target{"config", config},
     Target{"point_cloud2", point_cloud2},
+    Target{"point_cloud2_cdr", point_cloud2_cdr},
+    Target{"packet_message", packet_message},
+    Target{"rosbag2", rosbag2},
 };
 
 inline void run(const Target& target, Bytes bytes) {

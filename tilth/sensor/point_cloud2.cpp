@@ -111,6 +111,7 @@ PointCloud2 parse_point_cloud2(std::span<const std::byte> message, Serialization
 
   check_layout(records, width, height > 1 ? row_step : width * records.stride);
   if (height * width == 0) return cloud;
+  if (records.stride == 0) throw Error("PointCloud2 point_step", "0 bytes hold no point");
   const std::uint64_t row_bytes = width * records.stride;
   const std::uint64_t needed = (height - 1) * row_step + row_bytes;
   if (needed > data.size()) {
