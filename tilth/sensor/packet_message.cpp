@@ -8,7 +8,7 @@
 namespace tilth {
 namespace {
 
-constexpr std::array<std::string_view, 3> kScans{"VelodyneScan", "LslidarScan", "LslidarC16ScanUnified"};
+constexpr std::array<std::string_view, 2> kScans{"VelodyneScan", "LslidarC16ScanUnified"};
 constexpr std::array<std::string_view, 3> kSingles{"VelodynePacket", "LslidarPacket", "LslidarC16Packet"};
 constexpr std::array<std::size_t, 2> kSizes{1206, 1212};
 constexpr std::size_t kStamp = 8;
