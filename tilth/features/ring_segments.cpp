@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <tilth/features/ring_segments.hpp>
 
@@ -18,6 +19,16 @@ bool before(const Sighting& a, const Sighting& b) {
   return a.azimuth < b.azimuth;
 }
 
+// atan2 to 1e-5 rad, in a few operations (Abramowitz and Stegun 4.4.49).
+float azimuth_of(const Eigen::Vector3d& p) {
+  const float x = float(p.x()), y = float(p.y()), a = std::abs(x), b = std::abs(y);
+  const float t = std::min(a, b) / std::max(std::max(a, b), 1e-20f), s = t * t;
+  float angle = t * (0.9998660f + s * (-0.3302995f + s * (0.1801410f + s * (-0.0851330f + s * 0.0208351f))));
+  if (b > a) angle = std::numbers::pi_v<float> / 2 - angle;
+  if (x < 0) angle = std::numbers::pi_v<float> - angle;
+  return y < 0 ? -angle : angle;
+}
+
 // Firing order is ascending or descending azimuth from anywhere on the circle: both are put right without sorting.
 void put_in_order(RingOrder& ring) {
   std::size_t ascents = 0;
@@ -33,7 +44,7 @@ std::vector<RingOrder> rings_of(const PointCloud& cloud) {
   for (RingOrder& ring : rings) ring.reserve(2 * cloud.size() / rings.size());
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d& p = cloud.points[i];
-    rings[cloud.rings[i]].push_back({std::atan2(float(p.y()), float(p.x())), i});
+    rings[cloud.rings[i]].push_back({azimuth_of(p), i});
   }
   for (RingOrder& ring : rings) put_in_order(ring);
   return rings;

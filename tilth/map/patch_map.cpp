@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,12 @@ namespace {
 // Surfaces are known along their normal only: this variance stands for "anywhere in the voxel" along them [m^2].
 constexpr double kAlongSurface = 1.0;
 
+// The steps in a key from a voxel to itself and its seven neighbours upwards.
+constexpr std::array<std::int64_t, 8> kEightVoxels = [] {
+  constexpr std::int64_t x = voxel_key_step(0), y = voxel_key_step(1), z = voxel_key_step(2);
+  return std::array<std::int64_t, 8>{0, x, y, x + y, z, x + z, y + z, x + y + z};
+}();
+
 // Shares by which a Gaussian's patches grow before it is made anew.
 constexpr double kStale = 1.1;
 
@@ -23,8 +30,8 @@ int facing(const Eigen::Vector3d& normal, bool flat) {
 }
 
 Eigen::Vector3i voxel_of(const Eigen::Vector3d& point_in_voxels) {
-  return {int(std::floor(point_in_voxels.x())), int(std::floor(point_in_voxels.y())),
-          int(std::floor(point_in_voxels.z()))};
+  const Eigen::Vector3i towards_zero = point_in_voxels.cast<int>();
+  return towards_zero - (point_in_voxels.array() < towards_zero.cast<double>().array()).cast<int>().matrix();
 }
 
 }  // namespace
@@ -71,8 +78,9 @@ const MapSurface* PatchMap::find(const Eigen::Vector3d& point, const Eigen::Vect
   const Eigen::Vector3i corner = voxel_of(point / options_.voxel_size - Eigen::Vector3d::Constant(0.5));
   const MapSurface* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 8; ++i) {
-    const std::uint32_t number = table_.find(voxel_key(corner + Eigen::Vector3i(i & 1, (i >> 1) & 1, i >> 2), kind));
+  const std::int64_t first_key = voxel_key(corner, kind);
+  for (const std::int64_t step : kEightVoxels) {
+    const std::uint32_t number = table_.find(first_key + step);
     if (number == VoxelTable::kNone) continue;
     const double squared = (surfaces_[number].mean - point).squaredNorm();
     if (squared >= least) continue;

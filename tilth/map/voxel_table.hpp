@@ -10,10 +10,16 @@
 
 namespace tilth {
 
-/// A voxel, and which of up to eight things in it is meant, as one integer.
+/// What a voxel key grows by from a voxel to the next one along an axis.
+constexpr std::int64_t voxel_key_step(int axis) {
+  return std::int64_t{1} << (43 - 20 * axis);
+}
+
+/// A voxel, and which of up to eight things in it is meant, as one integer: 20 bits an axis.
 inline std::int64_t voxel_key(const Eigen::Vector3i& voxel, int kind) {
-  constexpr std::int64_t kReach = 1 << 19;  // voxels from the origin: 20 bits an axis
-  return ((voxel.x() + kReach) << 43) | ((voxel.y() + kReach) << 23) | ((voxel.z() + kReach) << 3) | kind;
+  constexpr std::int64_t kReach = 1 << 19;  // voxels from the origin
+  return (voxel.x() + kReach) * voxel_key_step(0) + (voxel.y() + kReach) * voxel_key_step(1) +
+         (voxel.z() + kReach) * voxel_key_step(2) + kind;
 }
 
 class VoxelTable {

@@ -23,9 +23,9 @@ std::vector<std::uint32_t> kept(const PointCloud& cloud, const RingSupportOption
 
 // Patches as they are seen from the middle of the scan.
 SurfacePatches straightened(SurfacePatches patches, const Vector6d& velocity, double middle) {
-  const MotionState state{.velocity = velocity, .middle = middle};
+  const Straightening straighten({.velocity = velocity, .middle = middle});
   for (SurfacePatch& patch : patches) {
-    const Pose T_middle_patch = straightening(state, patch);
+    const Pose T_middle_patch = straighten.at(patch.time);
     const Eigen::Matrix3d R = T_middle_patch.linear();
     patch.mean = T_middle_patch * patch.mean;
     patch.normal = R * patch.normal;

@@ -2,7 +2,11 @@
 // estimated together, so that the scan is straightened by its own motion and not by that of the scan before.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <concepts>
+#include <type_traits>
 #include <vector>
 
 #include <tilth/core/options.hpp>
@@ -16,6 +20,7 @@ struct AlignMovingOptions {
   double rotation_epsilon = 1e-5;
   double translation_epsilon = 1e-4;
   double max_distance = 2.0;
+  double renew_distance = 0.02;
   double min_cosine = 0.8;
   double patch_variance = 2e-4;
   double first_kernel_width = 10.0;
@@ -34,6 +39,7 @@ void visit(AlignMovingOptions& o, V&& v) {
   v("rotation_epsilon", o.rotation_epsilon, Bounds{0, 1}, "[rad] stop when a step is smaller");
   v("translation_epsilon", o.translation_epsilon, Bounds{0, 1}, "[m] stop when a step is smaller");
   v("max_distance", o.max_distance, Bounds{1e-3, 100}, "[m] between a patch and its match");
+  v("renew_distance", o.renew_distance, Bounds{0, 10}, "[m] that a patch moves before its match is looked up anew");
   v("min_cosine", o.min_cosine, Bounds{-1, 1}, "[-] between the normals of a patch and its match");
   v("patch_variance", o.patch_variance, Bounds{1e-12, 1}, "[m^2] added to the variance of every pair");
   v("first_kernel_width", o.first_kernel_width, Bounds{1e-3, 1e9},
@@ -90,23 +96,55 @@ struct MotionState {
   double middle = 0.0;                   ///< [s] since the stamp of the scan
 };
 
-/// `p` of a patch seen at `time`, as it is seen from the middle of the scan: exp(velocity (time - middle)).
-inline Pose straightening(const MotionState& state, const SurfacePatch& patch) {
-  return exp(state.velocity * (double(patch.time) - state.middle));
-}
+/// Where the LiDAR was at any time of the scan, seen from its middle: exp(velocity (time - middle)), by its values at
+/// knots and their first derivative (error below 0.1 mm at 20 m and 90 degrees a second).
+class Straightening {
+ public:
+  explicit Straightening(const MotionState& state);
 
+  Pose at(double time) const {
+    const double since_middle = time - middle_;
+    const double knot = std::clamp(std::round(since_middle / step_), -double(kKnots), double(kKnots));
+    const double rest = since_middle - knot * step_;
+    const Pose& T = T_middle_knot_[std::size_t(int(knot) + kKnots)];
+    Pose T_middle_time = T;
+    T_middle_time.translation() += rest * (T.linear() * velocity_.tail<3>());
+    T_middle_time.linear() += rest * T.linear() * skew(velocity_.head<3>());
+    return T_middle_time;
+  }
+
+ private:
+  static constexpr int kKnots = 32;  // on either side of the middle
+  Vector6d velocity_;
+  double middle_, step_;
+  std::array<Pose, 2 * kKnots + 1> T_middle_knot_;
+};
+
+/// What a patch was matched with, and where it then was: looked up anew once it has moved.
+struct SurfaceMatch {
+  const void* surface = nullptr;
+  Eigen::Vector3d point_in_map = Eigen::Vector3d::Constant(1e300);
+};
+
+/// The pairs at `state`. `matches`, one a patch, are those of the iteration before; they are brought up to date.
 template <SurfaceLookup Lookup>
-std::vector<PatchPair> associate_patches(const SurfacePatches& patches, const MotionState& state, const Lookup& target,
-                                         const AlignMovingOptions& options) {
-  std::vector<PatchPair> pairs;
-  pairs.reserve(patches.size());
+void associate_patches(const SurfacePatches& patches, const MotionState& state, const Lookup& target,
+                       const AlignMovingOptions& options, std::vector<SurfaceMatch>& matches,
+                       std::vector<PatchPair>& pairs) {
+  using Surface = std::remove_pointer_t<decltype(target(patches[0].mean, patches[0].normal, true))>;
+  pairs.clear();
   const double max_squared = options.max_distance * options.max_distance;
-  for (const SurfacePatch& patch : patches) {
-    const Pose T_middle_patch = straightening(state, patch);
+  const double renew_squared = options.renew_distance * options.renew_distance;
+  const Straightening straighten(state);
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const SurfacePatch& patch = patches[i];
+    const Pose T_middle_patch = straighten.at(patch.time);
     const Eigen::Vector3d point = T_middle_patch * patch.mean, point_in_map = state.T_map_lidar * point;
     const Eigen::Matrix3d R = state.T_map_lidar.linear() * T_middle_patch.linear();
     const Eigen::Vector3d normal = R * patch.normal;
-    const auto* surface = target(point_in_map, normal, patch.flat);
+    if ((point_in_map - matches[i].point_in_map).squaredNorm() > renew_squared)
+      matches[i] = {target(point_in_map, normal, patch.flat), point_in_map};
+    const auto* surface = static_cast<Surface*>(matches[i].surface);
     if (surface == nullptr) continue;
     const Eigen::Vector3d offset = point_in_map - surface->mean;
     if (offset.squaredNorm() > max_squared) continue;
@@ -115,7 +153,6 @@ std::vector<PatchPair> associate_patches(const SurfacePatches& patches, const Mo
     joint.diagonal().array() += options.patch_variance;
     pairs.push_back({&patch, point, offset, joint, surface->normal});
   }
-  return pairs;
 }
 
 /// One damped step on `pairs` and the prior; false where there are too few pairs or no solution.
@@ -132,9 +169,12 @@ MovingAlignment align_moving(const SurfacePatches& patches, double middle, const
   MovingAlignment result{.pose = {.T_target_source = state.T_map_lidar}, .velocity = state.velocity};
   result.pose.candidates = patches.size();
   double width = options.first_kernel_width;
+  std::vector<SurfaceMatch> matches(patches.size());
+  std::vector<PatchPair> pairs;
+  pairs.reserve(patches.size());
   while (result.pose.iterations < options.max_iterations && !result.pose.converged) {
     width = std::max(options.kernel_width, width);
-    const auto pairs = associate_patches(patches, state, target, options);
+    associate_patches(patches, state, target, options, matches, pairs);
     if (!step_moving(pairs, prior, width, options, state, result)) return result;
     result.pose.converged &= width <= options.kernel_width;
     width /= 2;
