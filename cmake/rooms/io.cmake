@@ -2,5 +2,6 @@
 pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(PCAP REQUIRED IMPORTED_TARGET libpcap)
 pkg_check_modules(SQLITE REQUIRED IMPORTED_TARGET sqlite3)
+pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 find_package(BZip2 REQUIRED)
-target_link_libraries(tilth_io PRIVATE PkgConfig::LZ4 PkgConfig::PCAP PkgConfig::SQLITE BZip2::BZip2 yaml-cpp)
+target_link_libraries(tilth_io PRIVATE PkgConfig::LZ4 PkgConfig::ZSTD PkgConfig::PCAP PkgConfig::SQLITE BZip2::BZip2 yaml-cpp)

@@ -140,6 +140,24 @@ def database(messages):
         return path.read_bytes()
 
 
+def mcap(messages, chunked):
+    def text(value):
+        return struct.pack("<I", len(value)) + value
+
+    def record(kind, body):
+        return struct.pack("<BQ", kind, len(body)) + body
+
+    magic = b"\x89MCAP0\r\n"
+    records = record(3, struct.pack("<H", 1) + text(b"sensor_msgs/msg/PointCloud2") + text(b"ros2msg") + text(b""))
+    records += record(4, struct.pack("<HH", 0, 1) + text(b"/points") + text(b"cdr") + text(b""))
+    for i, message in enumerate(messages):
+        records += record(5, struct.pack("<HIQQ", 0, i, 1000 * i, 1000 * i) + message)
+    if chunked:
+        head = struct.pack("<QQQI", 0, 9, len(records), 0) + text(b"")
+        records = record(6, head + struct.pack("<Q", len(records)) + records)
+    return magic + record(1, text(b"ros2") + text(b"")) + records + record(15, bytes(4)) + magic
+
+
 def pcd(kind, body):
     return (f"# .PCD v0.7\nVERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 40\n"
             f"HEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 40\nDATA {kind}\n").encode() + body
@@ -183,6 +201,8 @@ def main():
     write("packet_message", "velodyne_cdr", b"\x03" + scan_message(vlp16[:2], True))
     write("packet_message", "lslidar", b"\x00" + struct.pack("<II", 17, 5) + long_packet(0))
     write("rosbag2", "bag.db3", database([cloud_cdr(10), cloud_cdr(12)]))
+    write("mcap", "plain.mcap", mcap([cloud_cdr(10), b"12345"], False))
+    write("mcap", "chunked.mcap", mcap([cloud_cdr(10), b"12345"], True))
     write("pose_file", "tum.txt", "# t x y z qx qy qz qw\n0.1 1 2 3 0 0 0 1\n0.2 1 2 3 0 0 0.7071068 0.7071068\n")
     write("pose_file", "kitti.txt", "1 0 0 1 0 1 0 2 0 0 1 3\n1 0 0 2 0 1 0 2 0 0 1 3\n")
     write("times_file", "times.txt", "0.0\n0.1\n1e-1\n")

@@ -11,10 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "memory_file.hpp"
+#include "temporary_file.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/io/config_file.hpp>
 #include <tilth/io/kitti_bin.hpp>
+#include <tilth/io/mcap.hpp>
 #include <tilth/io/payload_file.hpp>
 #include <tilth/io/pcap.hpp>
 #include <tilth/io/pcd.hpp>
@@ -93,8 +94,14 @@ inline void rosbag1(Bytes bytes) {
   }
 }
 
+inline void mcap(Bytes bytes) {
+  McapReader reader(InputFile(bytes, "fuzzed"));
+  for (int i = 0; i < 10000 && reader.next(); ++i) {
+  }
+}
+
 inline void rosbag2(Bytes bytes) {
-  const MemoryFile file(bytes);
+  const TemporaryFile file(bytes);
   Rosbag2Reader reader(file.path());
   for (int i = 0; i < 10000 && reader.next(); ++i) {
   }
@@ -115,28 +122,28 @@ inline void point_cloud2_cdr(Bytes bytes) {
 }
 
 inline void pcd(Bytes bytes) {
-  decode_records(read_pcd(MemoryFile(bytes).path()));
+  decode_records(read_pcd(TemporaryFile(bytes).path()));
 }
 
 inline void ply(Bytes bytes) {
-  decode_records(read_ply(MemoryFile(bytes).path()));
+  decode_records(read_ply(TemporaryFile(bytes).path()));
 }
 
 inline void kitti_bin(Bytes bytes) {
-  decode_records(read_kitti_bin(MemoryFile(bytes).path()));
+  decode_records(read_kitti_bin(TemporaryFile(bytes).path()));
 }
 
 inline void pose_file(Bytes bytes) {
-  for (const StampedPose& pose : read_pose_file(MemoryFile(bytes).path()).trajectory)
+  for (const StampedPose& pose : read_pose_file(TemporaryFile(bytes).path()).trajectory)
     require(pose.T_world_lidar.matrix().allFinite());
 }
 
 inline void times_file(Bytes bytes) {
-  for (const double time : read_times(MemoryFile(bytes).path())) require(std::isfinite(time));
+  for (const double time : read_times(TemporaryFile(bytes).path())) require(std::isfinite(time));
 }
 
 inline void config(Bytes bytes) {
-  read_config(MemoryFile(bytes).path());
+  read_config(TemporaryFile(bytes).path());
 }
 
 struct Target {
@@ -159,6 +166,7 @@ inline constexpr std::array kTargets{
     Target{"point_cloud2_cdr", point_cloud2_cdr},
     Target{"packet_message", packet_message},
     Target{"rosbag2", rosbag2},
+    Target{"mcap", mcap},
 };
 
 inline void run(const Target& target, Bytes bytes) {

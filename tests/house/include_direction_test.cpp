@@ -42,6 +42,7 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
     {"bzlib", {"tilth/io/"}},
     {"pcap/", {"tilth/io/pcap.cpp"}},
     {"sqlite3", {"tilth/io/rosbag2.cpp"}},
+    {"zstd", {"tilth/io/unpack.cpp"}},
     {"nlohmann/", {"tilth/output/", "apps/"}},
     {"CLI/", {"apps/"}},
     {"pcl/", {}},

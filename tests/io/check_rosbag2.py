@@ -47,8 +47,8 @@ def some_messages():
     return messages
 
 
-def write_bag(folder, messages):
-    with Writer(folder, version=8, storage_plugin=StoragePlugin.SQLITE3) as writer:
+def write_bag(folder, messages, plugin):
+    with Writer(folder, version=8, storage_plugin=plugin) as writer:
         connections = {
             "/points": writer.add_connection("/points", CLOUD, typestore=STORE),
             "/log": writer.add_connection("/log", TEXT, typestore=STORE),
@@ -79,7 +79,7 @@ def read_by_us(path):
 with tempfile.TemporaryDirectory() as temporary:
     folder = pathlib.Path(temporary) / "a bag é"
     messages = some_messages()
-    write_bag(folder, messages)
+    write_bag(folder, messages, StoragePlugin.SQLITE3)
     expected = sorted(messages, key=lambda message: message[1])
     database = next(folder.glob("*.db3"))
     for path in (folder, database):
@@ -99,6 +99,10 @@ with tempfile.TemporaryDirectory() as temporary:
     for line in part.stdout.splitlines():
         assert not line.startswith("message") or line.split(" ", 2)[2] in known, line[:80]
     assert part.returncode == 1 or "problem " in part.stdout
+    mcap = pathlib.Path(temporary) / "mcap"
+    write_bag(mcap, messages, StoragePlugin.MCAP)
+    for path in (mcap, next(mcap.glob("*.mcap"))):
+        assert "scans: 12 over 1.100 s" in run(TILTH, "info", path).stdout, path
     cut.write_bytes(b"no database at all" * 100)
     assert "cut.db3" in run(PROBE, "dump", cut).stderr
     shutil.rmtree(folder)

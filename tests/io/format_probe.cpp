@@ -8,6 +8,7 @@
 
 #include <tilth/core/error.hpp>
 #include <tilth/io/kitti_bin.hpp>
+#include <tilth/io/mcap.hpp>
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/ply.hpp>
 #include <tilth/io/rosbag1.hpp>
@@ -84,6 +85,8 @@ int main(int argc, char** argv) {
     std::ios::sync_with_stdio(true);
     if (dump && bag)
       dump_bag<tilth::Rosbag1Reader>(arguments[2]);
+    else if (dump && path(arguments[2]).extension() == ".mcap")
+      dump_bag<tilth::McapReader>(arguments[2]);
     else if (dump && tilth::is_rosbag2(arguments[2]))
       dump_bag<tilth::Rosbag2Reader>(arguments[2]);
     else if (dump)

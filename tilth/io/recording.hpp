@@ -11,9 +11,10 @@ namespace tilth {
 struct Connection {
   std::uint32_t id = 0;
   std::string topic, type;
-  std::string md5;             ///< of the type, as ROS 1 computes it
-  std::string definition;      ///< of the message type, as text
-  std::uint64_t messages = 0;  ///< found in the recording
+  std::string md5;                ///< of the type, as ROS 1 computes it
+  std::string definition;         ///< of the message type, as text
+  std::uint64_t messages = 0;     ///< found in the recording
+  std::string encoding = "ros1";  ///< of the messages: "ros1", "cdr" or what the recording calls it
 };
 
 struct Message {

@@ -100,7 +100,7 @@ void Rosbag2Reader::add(const std::filesystem::path& file) {
     if (text_at(row, 3) != "cdr") return;
     const auto id = std::uint32_t(connections_.size());
     ids[sqlite3_column_int64(row, 0)] = id;
-    connections_.push_back({id, text_at(row, 1), text_at(row, 2), "", "", 0});
+    connections_.push_back({id, text_at(row, 1), text_at(row, 2), "", "", 0, "cdr"});
   });
   const std::string more = database.each("SELECT rowid, topic_id, timestamp FROM messages", [&](sqlite3_stmt* row) {
     const auto id = ids.find(sqlite3_column_int64(row, 1));
@@ -154,7 +154,9 @@ bool is_rosbag2(const std::filesystem::path& path) {
   if (!std::filesystem::is_directory(path)) return path.extension() == ".db3";
   if (std::filesystem::exists(path / "metadata.yaml")) return true;
   const std::filesystem::directory_iterator files(path), end;
-  return std::any_of(files, end, [](const auto& entry) { return entry.path().extension() == ".db3"; });
+  return std::any_of(files, end, [](const auto& entry) {
+    return entry.path().extension() == ".db3" || entry.path().extension() == ".mcap";
+  });
 }
 
 }  // namespace tilth

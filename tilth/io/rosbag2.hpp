@@ -52,7 +52,7 @@ class Rosbag2Reader {
   std::string problem_;
 };
 
-/// A .db3 file, or a folder that holds a ROS 2 bag.
+/// A .db3 file, or a folder that holds a ROS 2 bag, of .mcap files too.
 bool is_rosbag2(const std::filesystem::path& path);
 
 }  // namespace tilth

@@ -16,7 +16,8 @@ std::vector<fs::path> listed_files(const fs::path& metadata) {
   try {
     const YAML::Node bag = YAML::LoadFile(metadata.string())["rosbag2_bagfile_information"];
     const auto storage = bag["storage_identifier"].as<std::string>("sqlite3");
-    if (storage != "sqlite3") throw Error(metadata.string(), "the bag is stored by " + storage + ", read is sqlite3");
+    if (storage != "sqlite3" && storage != "mcap")
+      throw Error(metadata.string(), "the bag is stored by " + storage + ", read are sqlite3 and mcap");
     if (!bag["compression_format"].as<std::string>("").empty())
       throw Error(metadata.string(), "the bag is compressed; uncompress it by `ros2 bag convert`");
     for (const YAML::Node& file : bag["relative_file_paths"])
@@ -35,7 +36,7 @@ std::vector<fs::path> rosbag2_files(const fs::path& folder) {
     files = listed_files(folder / "metadata.yaml");
   } else {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-      if (entry.path().extension() == ".db3") files.push_back(entry.path());
+      if (entry.path().extension() == ".db3" || entry.path().extension() == ".mcap") files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
   }

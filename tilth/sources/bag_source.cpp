@@ -20,15 +20,17 @@ bool is_cloud(const std::string& type) {
 }
 
 struct Topic {
-  std::string name, type;
+  std::string name, type, encoding;
   std::size_t messages = 0;
+
+  Serialization serialization() const { return encoding == "cdr" ? Serialization::cdr : Serialization::ros1; }
 };
 
 std::map<std::string, Topic> topics_of(const std::vector<Connection>& connections) {
   std::map<std::string, Topic> topics;
   for (const Connection& c : connections) {
     Topic& topic = topics[c.topic];
-    topic.name = c.topic, topic.type = c.type;
+    topic.name = c.topic, topic.type = c.type, topic.encoding = c.encoding;
     topic.messages += std::size_t(c.messages);
   }
   return topics;
@@ -47,6 +49,7 @@ Topic choose_topic(const std::string& bag, const std::map<std::string, Topic>& t
   std::vector<Topic> clouds, packets;
   for (const auto& [name, topic] : topics) {
     has += (has.empty() ? "; the bag has " : ", ") + name + " (" + topic.type + ")";
+    if (topic.encoding != "cdr" && topic.encoding != "ros1") continue;
     if (is_cloud(topic.type)) clouds.push_back(topic);
     if (is_packet_message(topic.type)) packets.push_back(topic);
   }
@@ -66,7 +69,8 @@ Topic choose_topic(const std::string& bag, const std::map<std::string, Topic>& t
 /// Hands over the messages one by one, then what is damaged.
 class CloudReader {
  public:
-  CloudReader(std::string name, BagReader bag) : name_(std::move(name)), bag_(std::move(bag)) {}
+  CloudReader(std::string name, BagReader bag, Serialization serialization)
+      : name_(std::move(name)), bag_(std::move(bag)), serialization_(serialization) {}
 
   std::optional<RecordedScan> operator()() {
     if (ended_) return std::nullopt;
@@ -75,7 +79,7 @@ class CloudReader {
     try {
       const std::optional<Message> message = bag_.next();
       if (!message) return end();
-      PointCloud2 cloud = parse_point_cloud2(message->bytes, bag_.serialization);
+      PointCloud2 cloud = parse_point_cloud2(message->bytes, serialization_);
       const double arrival = 1e-9 * double(message->stamp);
       scan.records = {{cloud.stamp > 0.0 ? cloud.stamp : arrival, arrival}, std::move(cloud.records)};
     } catch (const Error& error) {
@@ -93,6 +97,7 @@ class CloudReader {
 
   std::string name_;
   BagReader bag_;
+  Serialization serialization_;
   std::size_t next_ = 0;
   bool ended_ = false;
 };
@@ -100,7 +105,8 @@ class CloudReader {
 /// Packets of messages, one by one.
 class MessagePackets {
  public:
-  MessagePackets(BagReader bag, std::string type) : bag_(std::move(bag)), type_(std::move(type)) {}
+  MessagePackets(BagReader bag, const Topic& topic)
+      : bag_(std::move(bag)), type_(topic.type), serialization_(topic.serialization()) {}
 
   std::optional<ReceivedPacket> next() {
     while (waiting_.empty()) {
@@ -121,7 +127,7 @@ class MessagePackets {
  private:
   void take(const Message& message) {
     try {
-      for (const StampedPayload& p : parse_packet_message(type_, message.bytes, bag_.serialization)) {
+      for (const StampedPayload& p : parse_packet_message(type_, message.bytes, serialization_)) {
         const double arrival = p.stamp > 0.0 ? p.stamp : 1e-9 * double(message.stamp);
         waiting_.push_back({arrival, 0, {p.payload.begin(), p.payload.end()}});
       }
@@ -132,6 +138,7 @@ class MessagePackets {
 
   BagReader bag_;
   std::string type_, problem_;
+  Serialization serialization_;
   std::deque<ReceivedPacket> waiting_;
 };
 
@@ -145,7 +152,7 @@ std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const So
   bag.select(topic.name);
   const std::string source = "topic " + topic.name + " of " + path.string();
   if (is_packet_message(topic.type)) {
-    const auto reader = std::make_shared<MessagePackets>(std::move(bag), topic.type);
+    const auto reader = std::make_shared<MessagePackets>(std::move(bag), topic);
     return open_packets({source, topic_lines(topics), [reader] { return reader->next(); },
                          [] { return std::vector<std::string>{}; }, [reader] { return reader->problem(); }},
                         with<PacketSourceOptions>(packets));
@@ -154,8 +161,8 @@ std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const So
     throw Error("option " + packets.begin()->first, "means nothing for the point clouds of " + source);
   std::vector<std::string> decisions{"source: " + source + ", " + std::to_string(topic.messages) + " messages",
                                      "stamps: of the message headers; where one is 0, of the recorder"};
-  auto recorded = std::make_unique<RecordedSource>(CloudReader(path.string(), std::move(bag)), RecordingTraits{},
-                                                   std::move(decisions), topic.messages);
+  auto recorded = std::make_unique<RecordedSource>(CloudReader(path.string(), std::move(bag), topic.serialization()),
+                                                   RecordingTraits{}, std::move(decisions), topic.messages);
   recorded->add_contents(topic_lines(topics));
   return recorded;
 }

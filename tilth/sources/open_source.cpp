@@ -2,7 +2,7 @@
 
 #include <tilth/core/error.hpp>
 #include <tilth/io/payload_file.hpp>
-#include <tilth/io/rosbag2.hpp>
+#include <tilth/sources/bag_reader.hpp>
 #include <tilth/sources/bag_source.hpp>
 #include <tilth/sources/folder_source.hpp>
 #include <tilth/sources/open_source.hpp>
@@ -43,12 +43,12 @@ std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOpti
   if (fs::is_regular_file(status)) {
     if (std::unique_ptr<ScanSource> packets = open_packet_file(path, source.values)) return packets;
   }
-  if (path.extension() == ".bag" || is_rosbag2(path)) return open_bag(path, options, source.values);
+  if (is_bag(path)) return open_bag(path, options, source.values);
   if (!source.values.empty()) {
     throw Error(uri, "holds no packets of a sensor, so option " + source.values.begin()->first + " means nothing");
   }
   if (fs::is_directory(status) || is_scan_file(path)) return open_folder(path, options);
-  throw Error(uri, "is no folder of scans, .pcd, .ply, .bin, .bag, .db3, .pcap, .pcapng or file of packets");
+  throw Error(uri, "is no folder of scans, .pcd, .ply, .bin, .bag, .db3, .mcap, .pcap, .pcapng or file of packets");
 }
 
 }  // namespace tilth

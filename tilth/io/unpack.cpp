@@ -1,0 +1,72 @@
+#include <memory>
+#include <zstd.h>
+
+#include <lz4frame.h>
+
+#include <tilth/io/unpack.hpp>
+
+namespace tilth {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+constexpr std::size_t kStep = 1 << 18;  // [bytes] unpacked at once
+
+/// Calls step(in, out) -> bytes given, taking from `in`, until it says it has ended; nothing where it fails or stalls.
+template <class Step>
+std::optional<Bytes> unpack_steps(std::span<const std::byte> in, const Step& step) {
+  Bytes bytes;
+  std::size_t done = 0;
+  for (bool ended = false; !ended;) {
+    if (done >= kMostUnpacked) return std::nullopt;
+    bytes.resize(done + kStep);
+    const std::size_t left = in.size();
+    const std::optional<std::size_t> given = step(in, std::span(bytes).subspan(done), ended);
+    const bool stalls = given && *given == 0 && in.size() == left && !ended;
+    if (!given || stalls) return std::nullopt;
+    done += *given;
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
+std::optional<Bytes> unpack_lz4(std::span<const std::byte> packed) {
+  LZ4F_dctx* raw = nullptr;
+  LZ4F_createDecompressionContext(&raw, LZ4F_VERSION);
+  const std::unique_ptr<LZ4F_dctx, std::size_t (*)(LZ4F_dctx*)> context(raw, LZ4F_freeDecompressionContext);
+  const auto step = [&](std::span<const std::byte>& in, std::span<std::byte> out,
+                        bool& ended) -> std::optional<std::size_t> {
+    std::size_t given = out.size(), taken = in.size();
+    const std::size_t hint = LZ4F_decompress(context.get(), out.data(), &given, in.data(), &taken, nullptr);
+    if (LZ4F_isError(hint) != 0) return std::nullopt;
+    in = in.subspan(taken);
+    ended = hint == 0;
+    return given;
+  };
+  return unpack_steps(packed, step);
+}
+
+std::optional<Bytes> unpack_zstd(std::span<const std::byte> packed) {
+  const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+  const auto step = [&](std::span<const std::byte>& in, std::span<std::byte> out,
+                        bool& ended) -> std::optional<std::size_t> {
+    ZSTD_inBuffer input{in.data(), in.size(), 0};
+    ZSTD_outBuffer output{out.data(), out.size(), 0};
+    const std::size_t hint = ZSTD_decompressStream(context.get(), &output, &input);
+    if (ZSTD_isError(hint) != 0) return std::nullopt;
+    in = in.subspan(input.pos);
+    ended = hint == 0;
+    return output.pos;
+  };
+  return unpack_steps(packed, step);
+}
+
+}  // namespace
+
+std::optional<Bytes> unpack(std::string_view compression, std::span<const std::byte> packed) {
+  if (compression == "lz4") return unpack_lz4(packed);
+  if (compression == "zstd") return unpack_zstd(packed);
+  if (!compression.empty() || packed.size() > kMostUnpacked) return std::nullopt;
+  return Bytes(packed.begin(), packed.end());
+}
+
+}  // namespace tilth
