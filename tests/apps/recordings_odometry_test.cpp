@@ -109,7 +109,7 @@ TEST(OdometryOnRecordings, HandHeldMotionAgreesWithTheGivenPoses) {
   EXPECT_LT(degrees(error_between(24, 28)), 4.0);
 }
 
-/// The share of the upright things of `later`, 4 to 40 m away, that lie within 0.1 m of a point of `tree`.
+/// The share of the upright things of `later`, 4 to 40 m away, that lie within 0.1 m of a point of `earlier`.
 double share_in_place(const PointCloud& later, const Pose& T_earlier_later, const KdTree& earlier) {
   std::size_t looked_at = 0, in_place = 0;
   for (const Eigen::Vector3d& p : later.points) {
