@@ -11,7 +11,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from needs import needs  # noqa: E402
 
 numpy, rosbags = needs("numpy", "rosbags")
-from rosbags.rosbag2 import StoragePlugin, Writer  # noqa: E402
+from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer  # noqa: E402
 from rosbags.typesys import Stores, get_typestore  # noqa: E402
 
 PROBE, TILTH = sys.argv[1:3]
@@ -47,8 +47,10 @@ def some_messages():
     return messages
 
 
-def write_bag(folder, messages, plugin):
-    with Writer(folder, version=8, storage_plugin=plugin) as writer:
+def write_bag(folder, messages, plugin, compression=CompressionMode.NONE):
+    bag = Writer(folder, version=8, storage_plugin=plugin)
+    bag.set_compression(compression, CompressionFormat.ZSTD)
+    with bag as writer:
         connections = {
             "/points": writer.add_connection("/points", CLOUD, typestore=STORE),
             "/log": writer.add_connection("/log", TEXT, typestore=STORE),
@@ -88,6 +90,12 @@ with tempfile.TemporaryDirectory() as temporary:
     for line in ("topic /log: std_msgs/msg/String, 12 messages", "scans: 12 over 1.100 s", "beams: 16",
                  "points: 2400 a scan", "fields: x f32, y f32, z f32, intensity f32, ring u16, time f32"):
         assert line in info.stdout, (line, info.stdout, info.stderr)
+    small = pathlib.Path(temporary) / "message"
+    write_bag(small, messages, StoragePlugin.SQLITE3, CompressionMode.MESSAGE)
+    assert read_by_us(small) == (expected, "")
+    packed = pathlib.Path(temporary) / "file"
+    write_bag(packed, messages, StoragePlugin.SQLITE3, CompressionMode.FILE)
+    assert "files are compressed" in run(PROBE, "dump", packed).stderr
     (folder / "metadata.yaml").unlink()
     assert read_by_us(folder) == (expected, "")
 

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <map>
+#include <span>
 #include <sqlite3.h>
 #include <tuple>
 #include <utility>
@@ -7,6 +9,7 @@
 #include <tilth/core/error.hpp>
 #include <tilth/io/rosbag2.hpp>
 #include <tilth/io/rosbag2_metadata.hpp>
+#include <tilth/io/unpack.hpp>
 
 namespace tilth {
 namespace {
@@ -26,6 +29,14 @@ std::string uri_of(const std::filesystem::path& path, const std::string& query) 
       uri += {'%', kDigits[byte >> 4], kDigits[byte & 15]};
   }
   return uri + "?" + query;
+}
+
+/// Messages compressed one by one begin with Zstandard's magic number, CDR with a zero.
+bool is_zstd(std::span<const std::byte> blob) {
+  constexpr std::array<unsigned char, 4> kMagic{0x28, 0xB5, 0x2F, 0xFD};
+  return blob.size() >= kMagic.size() &&
+         std::equal(kMagic.begin(), kMagic.end(), blob.begin(),
+                    [](unsigned char a, std::byte b) { return a == std::to_integer<unsigned char>(b); });
 }
 
 std::string text_at(sqlite3_stmt* row, int column) {
@@ -145,9 +156,11 @@ std::optional<Message> Rosbag2Reader::read(const Entry& entry) {
   }
   const auto* const bytes = static_cast<const std::byte*>(sqlite3_column_blob(row, 0));
   const auto size = std::size_t(sqlite3_column_bytes(row, 0));
-  Message message{entry.connection, entry.stamp, {}};
-  if (bytes != nullptr) message.bytes.assign(bytes, bytes + size);
-  return message;
+  const std::span<const std::byte> blob(bytes, bytes == nullptr ? 0 : size);
+  std::optional<std::vector<std::byte>> plain = unpack(is_zstd(blob) ? "zstd" : "", blob);
+  if (plain) return Message{entry.connection, entry.stamp, std::move(*plain)};
+  if (problem_.empty()) problem_ = database.name + ": message " + std::to_string(entry.row) + " is damaged";
+  return std::nullopt;
 }
 
 bool is_rosbag2(const std::filesystem::path& path) {

@@ -1,5 +1,6 @@
 // ROS 2 bags stored by sqlite3, read in the order of their stamps: a .db3 file, or a folder of one or more of them with
-// the metadata.yaml that lists them. Compressed bags are refused by name. Memory: 24 bytes a message and one message.
+// the metadata.yaml that lists them. Messages may be compressed one by one (zstd); bags compressed as files are refused
+// by name. Memory: 24 bytes a message and one message.
 #pragma once
 
 #include <cstddef>

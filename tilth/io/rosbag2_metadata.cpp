@@ -18,8 +18,10 @@ std::vector<fs::path> listed_files(const fs::path& metadata) {
     const auto storage = bag["storage_identifier"].as<std::string>("sqlite3");
     if (storage != "sqlite3" && storage != "mcap")
       throw Error(metadata.string(), "the bag is stored by " + storage + ", read are sqlite3 and mcap");
-    if (!bag["compression_format"].as<std::string>("").empty())
-      throw Error(metadata.string(), "the bag is compressed; uncompress it by `ros2 bag convert`");
+    const auto mode = bag["compression_mode"].as<std::string>("");
+    if (mode == "FILE" || mode == "file")
+      throw Error(metadata.string(),
+                  "the bag's files are compressed; uncompress them by `zstd -d` or `ros2 bag convert`");
     for (const YAML::Node& file : bag["relative_file_paths"])
       files.push_back(metadata.parent_path() / fs::path(file.as<std::string>()).filename());
   } catch (const YAML::Exception& error) {
