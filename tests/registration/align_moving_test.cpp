@@ -1,0 +1,299 @@
+// Pose and velocity from patches of made rooms seen in motion; steps against numeric derivatives.
+#include <numbers>
+#include <random>
+
+#include <Eigen/Cholesky>
+#include <gtest/gtest.h>
+
+#include <tilth/registration/align_moving.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr double kPeriod = 0.1, kMiddle = 0.05;  // [s]
+const Vector6d kVelocity = (Vector6d() << 0.1, -0.2, 1.0, 1.5, -0.4, 0.1).finished();
+const Pose kTruth = exp((Vector6d() << 0.02, -0.03, 0.7, 1.0, -0.5, 0.2).finished());
+
+Eigen::Matrix3d thin(const Eigen::Vector3d& normal, double along, double across) {
+  return along * Eigen::Matrix3d::Identity() + (across - along) * normal * normal.transpose();
+}
+
+/// A place of whole planes, each looked up by the way it faces.
+struct Place {
+  struct Plane {
+    Eigen::Vector3d mean, normal;
+    Eigen::Matrix3d covariance;
+  };
+  std::vector<Plane> planes;
+
+  void add(const Eigen::Vector3d& mean, const Eigen::Vector3d& normal) {
+    planes.push_back({mean, normal, thin(normal, 1.0, 1e-4)});
+  }
+  const Plane* operator()(const Eigen::Vector3d&, const Eigen::Vector3d& normal, bool) const {
+    const auto faces_less = [&](const Plane& a, const Plane& b) { return a.normal.dot(normal) < b.normal.dot(normal); };
+    return planes.empty() ? nullptr : &*std::max_element(planes.begin(), planes.end(), faces_less);
+  }
+};
+
+Place tunnel() {
+  Place place;
+  for (const int axis : {1, 2}) {
+    for (const double side : {-1.0, 1.0}) {
+      const Eigen::Vector3d out = side * Eigen::Vector3d::Unit(axis);
+      place.add((axis == 1 ? 3.0 : 1.5) * out, -out);
+    }
+  }
+  return place;
+}
+
+Place room() {
+  Place place = tunnel();
+  place.add({6, 0, 0}, {-1, 0, 0});
+  place.add({-5, 0, 0}, {1, 0, 0});
+  return place;
+}
+
+/// Patches of the planes, at random up to 5 m from their means, each as it is seen at its own time: the sensor turns
+/// once in a period, and is at `T_map_middle` in the middle of it.
+SurfacePatches seen(const Place& place, const Pose& T_map_middle, const Vector6d& velocity, std::size_t count) {
+  std::mt19937 rng(5);
+  std::uniform_real_distribution<double> u(-5, 5);
+  SurfacePatches patches;
+  while (patches.size() < count) {
+    const Place::Plane& plane = place.planes[patches.size() % place.planes.size()];
+    const double x = u(rng), y = u(rng), z = u(rng);
+    const Eigen::Vector3d d(x, y, z), in_map = plane.mean + d - d.dot(plane.normal) * plane.normal;
+    const Eigen::Vector3d roughly = T_map_middle.inverse() * in_map;
+    const double time = kPeriod * (0.5 + std::atan2(roughly.y(), roughly.x()) / (2 * std::numbers::pi));
+    const Pose T_map_then = T_map_middle * exp(velocity * (double(float(time)) - kMiddle));
+    const Eigen::Vector3d normal = T_map_then.linear().transpose() * plane.normal;
+    patches.push_back({.mean = T_map_then.inverse() * in_map,
+                       .covariance = thin(normal, 1e-2, 1e-5),
+                       .normal = normal,
+                       .time = float(time),
+                       .thickness = 1e-5f,
+                       .flat = true});
+  }
+  return patches;
+}
+
+const AlignMovingOptions kOptions{.max_distance = 100};
+
+/// The prior of a sensor that has moved with `velocity` for a period, `surprise` from what was expected.
+MotionPrior prior_of(const Vector6d& velocity, const Vector6d& surprise) {
+  return {.T_map_last = kTruth * exp(-velocity * kPeriod),
+          .velocity = velocity + surprise,
+          .last_motion = velocity + surprise,
+          .interval = kPeriod,
+          .known = true};
+}
+
+const Vector6d kSurprise = (Vector6d() << 0.1, 0.1, -0.3, 0.4, 0.3, -0.2).finished();
+
+double pose_error(const MovingAlignment& alignment) {
+  return log(kTruth.inverse() * alignment.pose.T_target_source).norm();
+}
+
+TEST(AlignMoving, FindsPoseAndVelocityTogether) {
+  for (const double share : {0.0, 0.3, 1.0}) {
+    const SurfacePatches patches = seen(room(), kTruth, kVelocity, 600);
+    const auto result = align_moving(patches, kMiddle, prior_of(kVelocity, share * kSurprise), room(), kOptions);
+    EXPECT_TRUE(result.pose.converged);
+    EXPECT_EQ(result.pose.degenerate_directions, 0);
+    EXPECT_EQ(result.pose.matches, patches.size());
+    EXPECT_LT(pose_error(result), 2e-4);
+    EXPECT_LT((result.velocity - kVelocity).norm(), 5e-3);
+  }
+}
+
+TEST(AlignMoving, NeedsNoMotionPriorBesidesTheLastPose) {
+  MotionPrior prior{.T_map_last = kTruth * exp(-kVelocity * kPeriod), .interval = kPeriod};
+  const auto result = align_moving(seen(room(), kTruth, kVelocity, 600), kMiddle, prior, room(), kOptions);
+  EXPECT_TRUE(result.pose.converged);
+  EXPECT_LT(pose_error(result), 2e-4);
+  EXPECT_LT((result.velocity - kVelocity).norm(), 5e-3);
+}
+
+TEST(AlignMoving, TheVelocityDiffersFromTheMotionSinceTheLastScanAsFarAsItMay) {
+  Vector6d braking = Vector6d::Zero();
+  braking[3] = 0.1;  // [m/s] faster since the last scan than in this one
+  MotionPrior prior = prior_of(kVelocity + braking, braking);
+  prior.T_map_last = kTruth * exp(-(kVelocity + braking) * kPeriod);
+  const auto error = [&](double slack, double share) {
+    AlignMovingOptions options = kOptions;
+    options.velocity_slack = slack;
+    options.velocity_share = share;
+    const auto result = align_moving(seen(room(), kTruth, kVelocity, 600), kMiddle, prior, room(), options);
+    return std::pair(pose_error(result), (result.velocity - kVelocity).norm());
+  };
+  const auto [stiff_pose, stiff_velocity] = error(1e-6, 0);
+  EXPECT_NEAR(stiff_velocity, braking.norm(), 0.02);  // nearly the motion itself
+  const auto [free_pose, free_velocity] = error(10, 0);
+  EXPECT_LT(free_velocity, 5e-3);
+  EXPECT_LT(free_pose, 2e-4);
+  const auto [shared_pose, shared_velocity] = error(kOptions.velocity_slack, 1);
+  EXPECT_LT(shared_velocity, 0.6 * stiff_velocity);  // allowed by the acceleration seen
+  EXPECT_LT(shared_pose, stiff_pose);
+}
+
+TEST(AlignMoving, AThirdOfWrongPatchesIsOutvoted) {
+  SurfacePatches patches = seen(room(), kTruth, kVelocity, 900);
+  std::mt19937 rng(8);
+  std::uniform_real_distribution<double> off(0.2, 1.0);
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if (i % 10 < 3) patches[i].mean += off(rng) * patches[i].normal;  // people before the walls
+  }
+  const auto result = align_moving(patches, kMiddle, prior_of(kVelocity, 0.3 * kSurprise), room(), kOptions);
+  EXPECT_TRUE(result.pose.converged);
+  EXPECT_LT(pose_error(result), 5e-3);
+  EXPECT_LT((result.velocity - kVelocity).norm(), 0.05);
+  AlignMovingOptions trusting = kOptions;
+  trusting.first_kernel_width = trusting.kernel_width = 1e6;
+  EXPECT_GT(pose_error(align_moving(patches, kMiddle, prior_of(kVelocity, 0.3 * kSurprise), room(), trusting)), 0.02);
+}
+
+TEST(AlignMoving, TooFewPairsKeepThePrediction) {
+  const MotionPrior prior = prior_of(kVelocity, kSurprise);
+  const Pose T_predicted = prior.T_map_last * exp(prior.velocity * prior.interval);
+  SurfacePatches facing_nothing = seen(room(), kTruth, kVelocity, 100);
+  for (SurfacePatch& patch : facing_nothing)
+    patch.normal = kTruth.linear().transpose() * Eigen::Vector3d(1, 1, 1).normalized();
+  const std::pair<SurfacePatches, Place> cases[] = {{seen(room(), kTruth, kVelocity, 19), room()},
+                                                    {seen(room(), kTruth, kVelocity, 100), Place()},
+                                                    {facing_nothing, room()},
+                                                    {{}, room()}};
+  for (const auto& [patches, place] : cases) {
+    const auto result = align_moving(patches, kMiddle, prior, place, kOptions);
+    EXPECT_FALSE(result.pose.converged);
+    EXPECT_LT(result.pose.matches, 20u);
+    EXPECT_LT(log(T_predicted.inverse() * result.pose.T_target_source).norm(), 1e-9);
+    EXPECT_EQ(result.velocity, prior.velocity);
+    EXPECT_TRUE((result.pose.covariance.diagonal().array() > 0).all());
+  }
+}
+
+TEST(AlignMoving, AlongABareTunnelItGoesAsExpectedAndSaysSo) {
+  const Pose T_map_middle = exp((Vector6d() << 0, 0, 0, 2, 0.3, -0.2).finished());
+  const Vector6d velocity = (Vector6d() << 0, 0, 0, 1.5, 0, 0).finished();
+  const SurfacePatches patches = seen(tunnel(), T_map_middle, velocity, 600);
+  for (const bool known : {true, false}) {
+    MotionPrior prior{.T_map_last = T_map_middle * exp(-velocity * kPeriod),
+                      .velocity = velocity,
+                      .last_motion = velocity,
+                      .interval = kPeriod,
+                      .known = known};
+    prior.velocity[3] += 0.2;  // what was expected along the tunnel cannot be contradicted
+    prior.velocity[4] += 0.2;  // across it can
+    prior.last_motion = prior.velocity;
+    const auto result = align_moving(patches, kMiddle, prior, tunnel(), kOptions);
+    const Eigen::Vector3d p = result.pose.T_target_source.translation();
+    EXPECT_EQ(result.pose.degenerate_directions, 1);
+    EXPECT_NEAR(p.x(), 2.02, 1e-3) << known;
+    EXPECT_NEAR(p.y(), 0.3, 2e-4);
+    EXPECT_LT(angle_of(result.pose.T_target_source), 2e-4);
+    EXPECT_NEAR(result.velocity[4], 0, 5e-3);
+    EXPECT_GT(result.pose.covariance(3, 3), 100 * result.pose.covariance(4, 4));
+  }
+}
+
+TEST(AlignMoving, WorksWithoutTimes) {
+  SurfacePatches patches = seen(room(), kTruth, Vector6d::Zero(), 600);
+  for (SurfacePatch& patch : patches) patch.time = 0;
+  const auto result = align_moving(patches, 0.0, prior_of(kVelocity, kSurprise), room(), kOptions);
+  EXPECT_TRUE(result.pose.converged);
+  EXPECT_LT(pose_error(result), 2e-4);
+  EXPECT_LT((result.velocity - kVelocity).norm(), 5e-3);  // that of the motion since the last pose
+}
+
+using Vector12d = Eigen::Matrix<double, 12, 1>;
+
+/// 1/2 the squared residual of a pair in units of its variance, its patch moved by `x` from `state`.
+double half_square(const PatchPair& pair, const MotionState& state, const Vector12d& x) {
+  const Vector6d velocity = state.velocity + x.tail<6>();
+  const Pose T = state.T_map_lidar * exp(x.head<6>());
+  const Eigen::Vector3d then = exp(velocity * (double(pair.patch->time) - state.middle)) * pair.patch->mean;
+  const Eigen::Vector3d offset = pair.offset_in_map + T * then - state.T_map_lidar * pair.point_in_lidar;
+  const Eigen::Vector3d& n = pair.normal_in_map;
+  if (!pair.patch->flat) return 0.5 * offset.dot(pair.joint.inverse() * offset);
+  return 0.5 * std::pow(n.dot(offset), 2) / n.dot(pair.joint * n);
+}
+
+// Where the pairs alone speak, a step is -H^-1 g: g the gradient of the robust cost, H = J^T W J, both by differences.
+TEST(AlignMoving, AStepIsGaussNewtonsOnTheRobustCost) {
+  AlignMovingOptions free = kOptions;
+  free.velocity_slack = 1e9;  // the prior says nothing
+  const double width = 3;
+  const MotionState state{kTruth, Vector6d::Zero(), kMiddle};  // the derivative by the velocity is exact at rest
+  SurfacePatches patches = seen(room(), kTruth, Vector6d::Zero(), 120);
+  std::mt19937 rng(2);
+  std::normal_distribution<double> noise(0, 0.03);
+  std::vector<PatchPair> pairs;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    patches[i].flat = i % 3 != 0;
+    const Eigen::Vector3d normal = kTruth.linear() * patches[i].normal;
+    const double a = noise(rng), b = noise(rng), c = noise(rng);
+    pairs.push_back({&patches[i], patches[i].mean, {a, b, c}, thin(normal, 1e-2, 4e-4), normal});
+  }
+  Vector12d gradient = Vector12d::Zero();
+  Eigen::Matrix<double, 12, 12> H = Eigen::Matrix<double, 12, 12>::Zero();
+  const double h = 1e-4;
+  for (const PatchPair& pair : pairs) {
+    Vector12d g;
+    const auto cost = [&](const Vector12d& x) { return half_square(pair, state, x); };
+    for (int i = 0; i < 12; ++i) g[i] = (cost(h * Vector12d::Unit(i)) - cost(-h * Vector12d::Unit(i))) / (2 * h);
+    const double squared = 2 * cost(Vector12d::Zero());
+    const auto robust = [&](double s) { return s / (1 + s / (width * width)); };
+    const double weight = (robust(squared + h) - robust(squared - h)) / (2 * h);
+    gradient += weight * g;
+    Eigen::Matrix<double, 3, 12> J;  // of the point in the map
+    for (int i = 0; i < 12; ++i) {
+      const auto point = [&](double step) {
+        const Vector12d x = step * Vector12d::Unit(i);
+        return Eigen::Vector3d(state.T_map_lidar * exp(x.head<6>()) *
+                               (exp(x.tail<6>() * (double(pair.patch->time) - kMiddle)) * pair.patch->mean));
+      };
+      J.col(i) = (point(h) - point(-h)) / (2 * h);
+    }
+    const Eigen::Vector3d& n = pair.normal_in_map;
+    Eigen::Matrix3d information = pair.joint.inverse();
+    if (pair.patch->flat) information = n * n.transpose() / n.dot(pair.joint * n);
+    H += weight * J.transpose() * information * J;
+  }
+  const Vector12d expected = -H.ldlt().solve(gradient);
+
+  MotionState after = state;
+  MovingAlignment result;
+  ASSERT_TRUE(step_moving(pairs, {.T_map_last = kTruth, .interval = kPeriod}, width, free, after, result));
+  Vector12d step;
+  step << log(kTruth.inverse() * after.T_map_lidar), after.velocity;
+  EXPECT_LT((step - expected).norm(), 1e-4 * expected.norm());
+  EXPECT_LT((result.pose.information - H.topLeftCorner<6, 6>()).norm(), 1e-5 * H.norm());
+}
+
+TEST(MotionPrior, NextRemembersTheMotionSeen) {
+  const MotionPrior prior{.T_map_last = kTruth, .velocity = kVelocity, .last_motion = kSurprise, .interval = 0.2};
+  const Vector6d motion = (Vector6d() << 0, 0.1, 0.2, 1, 2, 3).finished();
+  MovingAlignment alignment;
+  alignment.velocity = 2 * kVelocity;
+  alignment.pose.T_target_source = kTruth * exp(0.2 * motion);
+  alignment.pose.matches = 50;
+  const MotionPrior after = next(prior, alignment);
+  EXPECT_TRUE(after.known);
+  EXPECT_EQ(after.interval, 0.0);  // not known yet
+  EXPECT_TRUE(after.T_map_last.isApprox(alignment.pose.T_target_source));
+  EXPECT_EQ(after.velocity, alignment.velocity);
+  EXPECT_LT((after.last_motion - motion).norm(), 1e-9);
+
+  alignment.pose.matches = 0;  // nothing was seen: the motion is that from before
+  EXPECT_EQ(next(prior, alignment).last_motion, prior.last_motion);
+  EXPECT_FALSE(next(prior, alignment).known);
+  EXPECT_TRUE(next(after, alignment).known);
+
+  MovingAlignment first;  // the first scan, registered to nothing
+  first.pose.matches = 50;
+  EXPECT_FALSE(next(MotionPrior(), first).known);
+  EXPECT_EQ(next(MotionPrior(), first).last_motion, Vector6d::Zero());
+}
+
+}  // namespace
+}  // namespace tilth
