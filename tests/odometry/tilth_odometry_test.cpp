@@ -1,0 +1,120 @@
+// The pipeline `tilth` on simulated recordings with known truth, whole and broken.
+#include <functional>
+#include <random>
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <tilth/odometry/make_odometry.hpp>
+#include <tilth/simulation/simulator.hpp>
+
+namespace tilth {
+namespace {
+
+/// What becomes of scan `i` of a drive: the scan to give, or nothing.
+using Accident = std::function<std::optional<Scan>(const Simulator& simulator, std::size_t i, Scan scan)>;
+
+struct Drive {
+  std::string scene;
+  std::size_t first, scans;
+  Accident accident = {};
+  std::size_t judged_from = 0;  ///< scans before are not judged
+};
+
+struct Outcome {
+  double worst = 0;       ///< [m] from the truth, the first poses made equal
+  double worst_turn = 0;  ///< [rad]
+  std::vector<Pose> poses;
+};
+
+Outcome drive(const Drive& drive) {
+  const Simulator simulator(drive.scene, simulation_options(drive.scene, {{"seed", "7"}}));
+  const auto odometry = make_odometry("tilth", {});
+  Outcome outcome;
+  Pose T_truth_world = Pose::Identity();
+  for (std::size_t i = 0; i < drive.scans; ++i) {
+    std::optional<Scan> scan = simulator.scan(drive.first + i).scan;
+    if (drive.accident) scan = drive.accident(simulator, i, *scan);
+    if (!scan) continue;
+    const OdometryResult result = odometry->register_scan(*scan);
+    outcome.poses.push_back(result.T_world_lidar);
+    const Pose T_truth = interpolate(simulator.truth(), result.stamp);
+    if (i == 0) T_truth_world = T_truth * result.T_world_lidar.inverse();
+    if (i < drive.judged_from) continue;
+    const Pose error = T_truth.inverse() * T_truth_world * result.T_world_lidar;
+    outcome.worst = std::max(outcome.worst, error.translation().norm());
+    outcome.worst_turn = std::max(outcome.worst_turn, angle_of(error));
+  }
+  return outcome;
+}
+
+TEST(TilthOdometry, FollowsTheCorridorFromRest) {
+  const Outcome outcome = drive({"corridor", 85, 60});
+  EXPECT_LT(outcome.worst, 0.02);
+  EXPECT_LT(outcome.worst_turn, 0.005);
+}
+
+TEST(TilthOdometry, FollowsADriveOfTwoMetresASecond) {
+  const Outcome outcome = drive({"plaza_fast", 100, 60});
+  EXPECT_LT(outcome.worst, 0.05);
+  EXPECT_LT(outcome.worst_turn, 0.01);
+}
+
+TEST(TilthOdometry, BeginsInTheMiddleOfADrive) {
+  EXPECT_LT(drive({"corridor", 150, 30}).worst, 0.03);
+}
+
+TEST(TilthOdometry, GivesTheSameBitsWhateverTheNumberOfThreads) {
+  const auto poses_with = [](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return drive({"corridor", 120, 20}).poses;
+  };
+  const std::vector<Pose> one = poses_with(1), four = poses_with(4);
+  ASSERT_EQ(one.size(), four.size());
+  for (std::size_t i = 0; i < one.size(); ++i) ASSERT_EQ(one[i].matrix(), four[i].matrix()) << i;
+}
+
+TEST(TilthOdometry, SurvivesAScanFromSomewhereElse) {
+  const auto elsewhere = [](const Simulator& simulator, std::size_t i, Scan scan) {
+    if (i == 30) scan.cloud = simulator.scan(simulator.size() - 200).scan.cloud;
+    return std::optional(scan);
+  };
+  EXPECT_LT(drive({"corridor", 100, 50, elsewhere, 33}).worst, 0.05);
+}
+
+TEST(TilthOdometry, SurvivesAScanShiftedAway) {
+  const auto shifted = [](const Simulator&, std::size_t i, Scan scan) {
+    for (Eigen::Vector3d& p : scan.cloud.points) p.x() += i == 30 ? 100 : 0;
+    return std::optional(scan);
+  };
+  EXPECT_LT(drive({"corridor", 100, 50, shifted, 33}).worst, 0.05);
+}
+
+TEST(TilthOdometry, SurvivesAScanOfNoise) {
+  const auto noisy = [](const Simulator&, std::size_t i, Scan scan) {
+    std::mt19937 rng(3);
+    std::uniform_real_distribution<double> share(0.02, 1.0);
+    for (Eigen::Vector3d& p : scan.cloud.points) p *= i == 30 ? share(rng) : 1.0;
+    return std::optional(scan);
+  };
+  EXPECT_LT(drive({"corridor", 100, 50, noisy, 33}).worst, 0.05);
+}
+
+TEST(TilthOdometry, SurvivesEmptyScans) {
+  const auto emptied = [](const Simulator&, std::size_t i, Scan scan) {
+    if (i >= 30 && i < 33) scan.cloud = {};
+    return std::optional(scan);
+  };
+  EXPECT_LT(drive({"corridor", 100, 50, emptied, 35}).worst, 0.05);
+}
+
+TEST(TilthOdometry, SurvivesTheLossOfEveryThirdScan) {
+  const auto lost = [](const Simulator&, std::size_t i, Scan scan) {
+    return i % 3 == 2 ? std::nullopt : std::optional(scan);
+  };
+  EXPECT_LT(drive({"corridor", 85, 60, lost}).worst, 0.03);
+  EXPECT_LT(drive({"plaza_fast", 100, 45, lost}).worst, 0.08);
+}
+
+}  // namespace
+}  // namespace tilth
