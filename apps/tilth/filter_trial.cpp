@@ -13,8 +13,8 @@ FeatureCounts features_of(const LabelledCloud& scan, const NeighborTable& neighb
   for (std::size_t i = 0; i < curvature.size(); ++i) {
     curvature[i] = keep.empty() || keep[i] ? corrected_curvature(sigma.matrix(i)) : 0;
   }
-  const FeatureIndices features = select_features(scan.cloud, curvature, options);
-  return count_features(scan.labels, features.edges, features.planes);
+  return count_features(scan.labels, select_edges(scan.cloud, curvature, options),
+                        select_planes(scan.cloud, curvature, options));
 }
 
 LabelledCloud cropped(const LabelledCloud& scan, const ImprovedFloamOptions& options) {

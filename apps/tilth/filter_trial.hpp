@@ -8,8 +8,8 @@
 
 namespace tilth::app {
 
-/// The score over all scans of the pipeline's first stages: crop, neighbours, outlier removal and choice of features.
-/// The same for any number of threads.
+/// The score over all scans: crop, neighbours, outlier removal, and features chosen by the corrected curvature of each
+/// point's nearest neighbours. The same for any number of threads.
 FilterScore try_filter(std::span<const LabelledCloud> scans, const ImprovedFloamOptions& options);
 
 /// The options that matter here: ranges, `outliers` and `features`.

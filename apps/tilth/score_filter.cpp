@@ -87,7 +87,7 @@ std::string footer() {
   std::string text =
       "A folder must have been written by `tilth simulate` (labels/ tells what every point is); a scene is simulated,\n"
       "also where a folder has its name: ./corridor is the folder.\n"
-      "Each n-th scan goes through crop, neighbours, outlier removal and choice of features of improved_floam. False\n"
+      "Each n-th scan goes through crop, outlier removal and the choice of features by curvature of neighbours. False\n"
       "points are isolated outliers, mixed pixels and ghosts; obvious ones are the first two where no surface point\n"
       "lies within 0.3 m. A pseudo-feature is an edge feature whose point is false.\n\n"
       "  tilth score-filter corridor plaza hospital --seed 101\n"

@@ -36,19 +36,19 @@ MadeUp made_up_rings() {
 
 TEST(Features, EdgesAreTheMostCurvedPointsOfEachSector) {
   const MadeUp m = made_up_rings();
-  const FeatureIndices features = select_features(m.cloud, m.curvature, {.edges = 24});  // one a sector
-  EXPECT_EQ(features.edges.size(), 24u);
-  for (const std::uint32_t i : features.edges) EXPECT_EQ(m.curvature[i], 1.5f);
-  EXPECT_EQ(select_features(m.cloud, m.curvature, {.edges = 1000}).edges.size(), 48u);  // there are no more
+  const auto edges = select_edges(m.cloud, m.curvature, {.edges = 24});  // one a sector
+  EXPECT_EQ(edges.size(), 24u);
+  for (const std::uint32_t i : edges) EXPECT_EQ(m.curvature[i], 1.5f);
+  EXPECT_EQ(select_edges(m.cloud, m.curvature, {.edges = 1000}).size(), 48u);  // there are no more
 }
 
 TEST(Features, EdgesKeepTheirDistance) {
   MadeUp m = made_up_rings();
   for (float& c : m.curvature) c = 1.5f;
-  const FeatureIndices features = select_features(m.cloud, m.curvature, {.edges = 10000, .edge_spacing = 5});
-  for (std::size_t i = 1; i < features.edges.size(); ++i) {
+  const auto edges = select_edges(m.cloud, m.curvature, {.edges = 10000, .edge_spacing = 5});
+  for (std::size_t i = 1; i < edges.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const int a = int(features.edges[i]), b = int(features.edges[j]);
+      const int a = int(edges[i]), b = int(edges[j]);
       const bool same_sector = a / 100 == b / 100;
       EXPECT_TRUE(!same_sector || std::abs(a - b) > 5) << a << ' ' << b;
     }
@@ -57,23 +57,21 @@ TEST(Features, EdgesKeepTheirDistance) {
 
 TEST(Features, PlanesAreSpreadOverCellsAndAreNoEdges) {
   const MadeUp m = made_up_rings();
-  const FeatureIndices features =
-      select_features(m.cloud, m.curvature, {.planes = 10000, .max_plane_curvature = 1.3, .plane_cell = 0.5});
-  EXPECT_GT(features.planes.size(), 4u * 50);
-  EXPECT_LT(features.planes.size(), 4u * 110);
-  for (const std::uint32_t i : features.planes) EXPECT_EQ(m.curvature[i], 1.01f);
-  EXPECT_EQ(select_features(m.cloud, m.curvature, {.planes = 100, .max_plane_curvature = 1.3, .plane_cell = 0.5})
-                .planes.size(),
+  const auto planes =
+      select_planes(m.cloud, m.curvature, {.planes = 10000, .max_plane_curvature = 1.3, .plane_cell = 0.5});
+  EXPECT_GT(planes.size(), 4u * 50);
+  EXPECT_LT(planes.size(), 4u * 110);
+  for (const std::uint32_t i : planes) EXPECT_EQ(m.curvature[i], 1.01f);
+  EXPECT_EQ(select_planes(m.cloud, m.curvature, {.planes = 100, .max_plane_curvature = 1.3, .plane_cell = 0.5}).size(),
             100u);
 }
 
 TEST(Features, PointsThatAreNoCandidatesAreNeverTaken) {
   const MadeUp m = made_up_rings();
   const std::vector<float> none(m.cloud.size(), 0.0f);
-  const FeatureIndices features = select_features(m.cloud, none, {});
-  EXPECT_TRUE(features.edges.empty());
-  EXPECT_TRUE(features.planes.empty());
-  EXPECT_TRUE(select_features({}, {}, {}).planes.empty());
+  EXPECT_TRUE(select_edges(m.cloud, none, {}).empty());
+  EXPECT_TRUE(select_planes(m.cloud, none, {}).empty());
+  EXPECT_TRUE(select_planes({}, {}, {}).empty());
 }
 
 }  // namespace

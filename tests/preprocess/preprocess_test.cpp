@@ -27,15 +27,23 @@ TEST(Crop, DropsNearFarAndNonFinitePoints) {
 TEST(Deskew, PutsAWallSeenInMotionBackInOnePlace) {
   const Vector6d velocity = (Vector6d() << 0.1, -0.2, 1.5, 2.0, 0.3, -0.1).finished();
   const Eigen::Vector3d fixed(4, 1, 0.5);  // in the LiDAR's frame at t = 0.05
-  PointCloud cloud;
+  const Eigen::Matrix3d covariance = Eigen::Vector3d(4, 2, 1).asDiagonal();
+  SurfacePatches patches;
   for (int i = 0; i <= 10; ++i) {
-    const double t = 0.01 * i;
-    cloud.points.push_back(exp(velocity * (t - 0.05)).inverse() * fixed);
-    cloud.times.push_back(float(t));
+    const double t = 0.0099 * i;
+    const Pose T = exp(velocity * (t - 0.05)).inverse();
+    patches.push_back({.mean = T * fixed,
+                       .covariance = T.linear() * covariance * T.linear().transpose(),
+                       .normal = T.linear() * Eigen::Vector3d::UnitX(),
+                       .time = float(t)});
   }
-  for (const Eigen::Vector3d& p : deskew(cloud, velocity, 0.05).points) EXPECT_LT((p - fixed).norm(), 1e-7);
-  cloud.times.clear();
-  EXPECT_EQ(deskew(cloud, velocity, 0.05).points[0], cloud.points[0]);
+  for (const SurfacePatch& patch : deskew(patches, velocity, 0.05)) {
+    EXPECT_LT((patch.mean - fixed).norm(), 1e-5);
+    EXPECT_LT((patch.normal - Eigen::Vector3d::UnitX()).norm(), 1e-5);
+    EXPECT_LT((patch.covariance - covariance).norm(), 1e-4);
+  }
+  for (SurfacePatch& patch : patches) patch.time = 0;  // no times
+  EXPECT_EQ(deskew(patches, velocity, 0.05)[3].mean, patches[3].mean);
 }
 
 // A dense sheet with a few points far off it.

@@ -91,14 +91,16 @@ TEST(Align, CountsTheDirectionsThatWallsLeaveOpen) {
 struct Gaussian {
   Eigen::Vector3d mean;
   Eigen::Matrix3d covariance;
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
 };
 
 TEST(Association, PreCheckRefusesFarAndMissingTargets) {
-  PointCloud source;
-  source.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-  source.covariances.assign(3, Eigen::Matrix3d::Identity());
+  SurfacePatches source(3, {.covariance = Eigen::Matrix3d::Identity()});
+  for (int i = 0; i < 3; ++i) source[std::size_t(i)].mean.x() = i;
   const Gaussian target{Eigen::Vector3d(1.2, 0, 0), Eigen::Matrix3d::Identity()};
-  const auto lookup = [&](const Eigen::Vector3d& p) { return p.x() > 1.5 ? nullptr : &target; };
+  const auto lookup = [&](const Eigen::Vector3d& p, const Eigen::Vector3d&, bool) {
+    return p.x() > 1.5 ? nullptr : &target;
+  };
   const auto pairs = associate_distributions(source, Pose::Identity(), lookup, {.max_distance = 0.5});
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_EQ(pairs[0].source.x(), 1.0);
@@ -106,11 +108,9 @@ TEST(Association, PreCheckRefusesFarAndMissingTargets) {
 }
 
 TEST(Association, InformationIsRebuiltWithTheRotation) {
-  PointCloud source;
-  source.points = {{0, 0, 0}};
-  source.covariances = {Eigen::Vector3d(4, 1, 1).asDiagonal()};
+  const SurfacePatches source{{.covariance = Eigen::Vector3d(4, 1, 1).asDiagonal()}};
   const Gaussian target{Eigen::Vector3d::Zero(), Eigen::Vector3d(1, 2, 3).asDiagonal()};
-  const auto lookup = [&](const Eigen::Vector3d&) { return &target; };
+  const auto lookup = [&](const Eigen::Vector3d&, const Eigen::Vector3d&, bool) { return &target; };
   const Pose T(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
   const auto pairs = associate_distributions(source, T, lookup, {.lambda = 0.5});
   const Eigen::Matrix3d information = pairs[0].whitening.transpose() * pairs[0].whitening;

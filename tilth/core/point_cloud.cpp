@@ -25,14 +25,12 @@ void join(std::vector<T>& values, const std::vector<T>& more, bool both_have_it)
 
 PointCloud select(const PointCloud& cloud, std::span<const std::uint32_t> indices) {
   return {pick(cloud.points, indices), pick(cloud.intensities, indices), pick(cloud.times, indices),
-          pick(cloud.rings, indices), pick(cloud.covariances, indices)};
+          pick(cloud.rings, indices)};
 }
 
 PointCloud transform(const PointCloud& cloud, const Eigen::Isometry3d& T_target_source) {
   PointCloud moved = cloud;
-  const Eigen::Matrix3d R = T_target_source.linear();
-  for (Eigen::Vector3d& p : moved.points) p = R * p + T_target_source.translation();
-  for (Eigen::Matrix3d& c : moved.covariances) c = (R * c * R.transpose()).eval();
+  for (Eigen::Vector3d& p : moved.points) p = T_target_source * p;
   return moved;
 }
 
@@ -43,7 +41,6 @@ void append(PointCloud& cloud, const PointCloud& more) {
   join(cloud.intensities, more.intensities, both(cloud.intensities, more.intensities));
   join(cloud.times, more.times, both(cloud.times, more.times));
   join(cloud.rings, more.rings, both(cloud.rings, more.rings));
-  join(cloud.covariances, more.covariances, both(cloud.covariances, more.covariances));
   join(cloud.points, more.points, true);
 }
 

@@ -16,7 +16,6 @@ struct PointCloud {
   std::vector<float> intensities;            ///< as the sensor gives them
   std::vector<float> times;                  ///< [s] >= 0, since the stamp of the scan (its first point)
   std::vector<std::uint16_t> rings;          ///< 0 = lowest beam
-  std::vector<Eigen::Matrix3d> covariances;  ///< [m^2] of each point's neighbourhood
 
   std::size_t size() const { return points.size(); }
   bool empty() const { return points.empty(); }
@@ -27,7 +26,7 @@ struct PointCloud {
 /// The points at `indices`, with every attribute that `cloud` has, in the order of `indices`.
 PointCloud select(const PointCloud& cloud, std::span<const std::uint32_t> indices);
 
-/// `cloud` moved by T_target_source; covariances are rotated. O(n).
+/// `cloud` moved by T_target_source. O(n).
 PointCloud transform(const PointCloud& cloud, const Eigen::Isometry3d& T_target_source);
 
 /// Appends `more` to `cloud`. An attribute survives only if both have it (an empty `cloud` takes all of `more`).

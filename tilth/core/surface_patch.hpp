@@ -1,6 +1,7 @@
 // A small piece of surface as a scan shows it: what scans are registered by, and what maps are made of.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Core>
@@ -15,6 +16,7 @@ struct SurfacePatch {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< unit, towards the sensor; of least extent where not flat
   float time = 0.0f;                                     ///< [s] since the stamp of the scan
   float thickness = 0.0f;                                ///< [m^2] variance along the normal
+  std::uint16_t ring = 0;                                ///< 0 = lowest beam
   bool flat = false;                                     ///< a piece of a plane; else a pole, an edge, a bush
 };
 

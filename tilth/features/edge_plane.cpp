@@ -81,9 +81,9 @@ float corrected_curvature(const Eigen::Matrix3f& sigma) {
   return norm > 0 ? sigma.trace() / norm : 0.0f;
 }
 
-FeatureIndices select_features(const PointCloud& cloud, std::span<const float> curvature,
-                               const FeatureOptions& options) {
-  FeatureIndices features;
+std::vector<std::uint32_t> select_edges(const PointCloud& cloud, std::span<const float> curvature,
+                                        const FeatureOptions& options) {
+  Indices edges;
   const std::vector<Indices> rings = rings_of(cloud, curvature);
   const std::size_t sectors = std::size_t(options.sectors), parts = rings.size() * sectors;
   for (std::size_t part = 0; part < parts; ++part) {
@@ -91,10 +91,14 @@ FeatureIndices select_features(const PointCloud& cloud, std::span<const float> c
     const std::size_t begin = ring.size() * (part % sectors) / sectors,
                       end = ring.size() * (part % sectors + 1) / sectors;
     const Sector sector(ring.data() + begin, end - begin);
-    take_edges(sector, curvature, quota(std::size_t(options.edges), part, parts), options, features.edges);
+    take_edges(sector, curvature, quota(std::size_t(options.edges), part, parts), options, edges);
   }
-  features.planes = thinned(flattest_of_cells(cloud, curvature, options), std::size_t(options.planes));
-  return features;
+  return edges;
+}
+
+std::vector<std::uint32_t> select_planes(const PointCloud& cloud, std::span<const float> curvature,
+                                         const FeatureOptions& options) {
+  return thinned(flattest_of_cells(cloud, curvature, options), std::size_t(options.planes));
 }
 
 }  // namespace tilth

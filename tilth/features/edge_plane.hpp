@@ -34,18 +34,16 @@ void visit(FeatureOptions& o, V&& v) {
   v("edge_spacing", o.edge_spacing, Bounds{0, 100}, "[points] neighbours along the ring that an edge point rules out");
 }
 
-/// Indices into the cloud that the features were selected from.
-struct FeatureIndices {
-  std::vector<std::uint32_t> edges, planes;
-};
-
 /// kappa = tr(Sigma) / |Sigma|_F of a covariance [m^2]; 0 where it is zero.
 float corrected_curvature(const Eigen::Matrix3f& sigma);
 
-/// The most curved points of each sector as edges, the least curved one of each cell of a grid as planes. `curvature`
-/// holds a value per point, 0 for points that are no candidates. A cloud without rings counts as one ring. O(n log n)
-/// at worst.
-FeatureIndices select_features(const PointCloud& cloud, std::span<const float> curvature,
-                               const FeatureOptions& options);
+/// The most curved points of each sector, as indices. `curvature` holds a value per point, 0 for points that are no
+/// candidates. A cloud without rings counts as one ring. O(n log n) at worst.
+std::vector<std::uint32_t> select_edges(const PointCloud& cloud, std::span<const float> curvature,
+                                        const FeatureOptions& options);
+
+/// The least curved point of each cell of a grid, likewise.
+std::vector<std::uint32_t> select_planes(const PointCloud& cloud, std::span<const float> curvature,
+                                         const FeatureOptions& options);
 
 }  // namespace tilth

@@ -137,7 +137,9 @@ SurfacePatches surface_patches(const PointCloud& cloud, const PatchOptions& opti
     ColumnWalk walk(rings, r);
     SurfacePatch patch;
     for (const RingSegment& segment : rings[r]) {
-      if (fitter.fit(walk.at(segment), patch)) patches.push_back(patch);
+      if (!fitter.fit(walk.at(segment), patch)) continue;
+      patch.ring = std::uint16_t(r);
+      patches.push_back(patch);
     }
   }
   return patches;

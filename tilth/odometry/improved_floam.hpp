@@ -2,13 +2,13 @@
 #pragma once
 
 #include <tilth/features/edge_plane.hpp>
-#include <tilth/map/gaussian_map.hpp>
+#include <tilth/features/surface_patches.hpp>
+#include <tilth/map/patch_map.hpp>
 #include <tilth/odometry/motion_model.hpp>
 #include <tilth/odometry/odometry.hpp>
 #include <tilth/preprocess/outlier_removal.hpp>
 #include <tilth/registration/align.hpp>
 #include <tilth/registration/association.hpp>
-#include <tilth/search/neighbor_moments.hpp>
 #include <tilth/search/scan_neighbors.hpp>
 
 namespace tilth {
@@ -24,15 +24,12 @@ struct ImprovedFloamOptions {
   double max_range = 100.0;
   bool deskew = true;
   OutlierOptions outliers;
+  PatchOptions patches;
   FeatureOptions features;
-  int map_stride = 2;
   RegistrationMethod method = RegistrationMethod::gicp;
   AssociationOptions association;
-  AlignOptions align;
-  GaussianMapOptions edge_map{.voxel_size = 1.0};
-  GaussianMapOptions plane_map;
-  GaussianMapOptions wide_map{.voxel_size = 1.0};
-  int wide_scans = 15;
+  AlignOptions align{.kernel = Kernel::geman_mcclure, .kernel_width = 4};
+  PatchMapOptions map;
 };
 
 template <class V>
@@ -41,33 +38,29 @@ void visit(ImprovedFloamOptions& o, V&& v) {
   v("max_range", o.max_range, Bounds{0.1, 1e4}, "[m] farther points are dropped");
   v("deskew", o.deskew, "[-] undo the motion within a scan, where points have times");
   v("outliers", o.outliers, "[-] statistical outlier removal");
-  v("features", o.features, "[-] edge and plane points");
-  v("map_stride", o.map_stride, Bounds{1, 1000}, "[points] every n-th filtered point is added to the plane map");
+  v("patches", o.patches, "[-] patches of surface: neighbourhoods and their covariances");
+  v("features", o.features, "[-] edge and plane features among the patches");
   v("method", o.method, "[-] gicp: distribution to distribution; icp: point to point");
   v("association", o.association, "[-] scan to map");
   v("align", o.align, "[-] iterations of the registration");
-  v("edge_map", o.edge_map, "[-] local map of edges");
-  v("plane_map", o.plane_map, "[-] local map of planes");
-  v("wide_map", o.wide_map, "[-] the same in larger voxels, which the scan is aligned to first: it reaches farther");
-  v("wide_scans", o.wide_scans, Bounds{0, 1e6},
-    "[scans] at the start that use the wide map alone: most small voxels have met one beam only");
+  v("map", o.map, "[-] local map of edges and planes");
 }
 
 class ImprovedFloam : public Odometry {
  public:
-  explicit ImprovedFloam(const ImprovedFloamOptions& options);
+  explicit ImprovedFloam(const ImprovedFloamOptions& options) : options_(options), map_(options.map) {}
   OdometryResult register_scan(const Scan& scan) override;
   PointCloud local_map() const override;
 
  private:
-  AlignResult register_features(const PointCloud& edges, const PointCloud& planes, const Pose& T_predicted) const;
-  void insert(const PointCloud& edges, const PointCloud& surfaces, const Pose& T_world_lidar);
+  std::vector<std::uint8_t> inliers(const PointCloud& cloud);
+  PointCloud without_outliers(const PointCloud& cloud);
+  AlignResult register_features(const SurfacePatches& features, const Pose& T_start) const;
 
   ImprovedFloamOptions options_;
   ScanNeighbors neighbors_;
-  NeighborMoments moments_;
   ConstantVelocity motion_;
-  GaussianMap edge_map_, plane_map_, wide_map_;
+  PatchMap map_;  // of both: it keeps what is flat apart from what is not
 };
 
 }  // namespace tilth

@@ -15,10 +15,16 @@ class ConstantVelocity {
 
   /// Takes the pose found at `time`; the velocity is the motion since the last one.
   void update(double time, const Pose& T_world_lidar) {
-    if (updates_ > 0 && time > time_) velocity_ = log(T_world_lidar_.inverse() * T_world_lidar) / (time - time_);
+    velocity_ = velocity_to(time, T_world_lidar);
     T_world_lidar_ = T_world_lidar;
     time_ = time;
     ++updates_;
+  }
+
+  /// The velocity that leads from the last pose to `T_world_lidar` at `time`, or, before any update, zero.
+  Vector6d velocity_to(double time, const Pose& T_world_lidar) const {
+    return updates_ == 0 || time <= time_ ? velocity_
+                                          : Vector6d(log(T_world_lidar_.inverse() * T_world_lidar) / (time - time_));
   }
 
   const Vector6d& velocity() const { return velocity_; }  ///< [rad/s, m/s] in the LiDAR's own frame

@@ -2,6 +2,7 @@
 
 #include <tilth/odometry/tilth_odometry.hpp>
 #include <tilth/preprocess/crop.hpp>
+#include <tilth/preprocess/deskew.hpp>
 
 namespace tilth {
 namespace {
@@ -19,19 +20,6 @@ std::vector<std::uint32_t> kept(const PointCloud& cloud, const RingSupportOption
     if (!keep || (*keep)[i] != 0) indices.push_back(i);
   }
   return indices;
-}
-
-// Patches as they are seen from the middle of the scan.
-SurfacePatches straightened(SurfacePatches patches, const Vector6d& velocity, double middle) {
-  const Straightening straighten({.velocity = velocity, .middle = middle});
-  for (SurfacePatch& patch : patches) {
-    const Pose T_middle_patch = straighten.at(patch.time);
-    const Eigen::Matrix3d R = T_middle_patch.linear();
-    patch.mean = T_middle_patch * patch.mean;
-    patch.normal = R * patch.normal;
-    patch.covariance = R * patch.covariance * R.transpose();
-  }
-  return patches;
 }
 
 }  // namespace
@@ -68,11 +56,9 @@ MovingAlignment TilthOdometry::register_patches(const SurfacePatches& patches, d
   const auto in_map = [this](const Eigen::Vector3d& p, const Eigen::Vector3d& n, bool flat) {
     return map_.find(p, n, flat);
   };
-  if (registered_ == 0) {
-    const bool enough = patches.size() >= std::size_t(options_.align.min_matches);
-    return {.pose = {.T_target_source = motion_.T_map_last, .converged = enough, .candidates = patches.size()}};
-  }
-  if (registered_ > 1) return align_moving(patches, middle, motion_, in_map, options_.align);
+  const bool enough = patches.size() >= std::size_t(options_.align.min_matches);
+  if (registered_ == 0 && enough) return {.pose = {.converged = true, .candidates = patches.size()}};
+  if (registered_ != 1) return align_moving(patches, middle, motion_, in_map, options_.align);
   // The second scan tells how the sensor moved in the first one, which then is straightened anew.
   constexpr int kRounds = 4;
   MovingAlignment alignment;
@@ -80,7 +66,7 @@ MovingAlignment TilthOdometry::register_patches(const SurfacePatches& patches, d
     alignment = align_moving(patches, middle, motion_, in_map, options_.align);
     motion_.velocity = alignment.velocity;
     map_ = PatchMap(options_.map);
-    map_.insert(straightened(first_patches_, alignment.velocity, first_middle_), motion_.T_map_last);
+    map_.insert(deskew(first_patches_, alignment.velocity, first_middle_), motion_.T_map_last);
   }
   return alignment;
 }
@@ -94,7 +80,7 @@ void TilthOdometry::insert(const SurfacePatches& patches, double middle, const M
   motion_ = next(motion_, alignment);
   if (!is_first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
   const Pose& T_map_middle = alignment.pose.T_target_source;
-  map_.insert(straightened(patches, alignment.velocity, middle), T_map_middle);
+  map_.insert(deskew(patches, alignment.velocity, middle), T_map_middle);
   map_.crop(T_map_middle.translation());
   ++registered_;
 }

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 
+#include <tilth/core/scan_motion.hpp>
 #include <tilth/output/map_builder.hpp>
 
 namespace tilth {
@@ -11,30 +11,6 @@ namespace {
 
 constexpr std::size_t kFirstSlots = 1 << 16;
 constexpr double kLargestIndex = 1 << 20;  // of a voxel along an axis: 21 bits with its sign
-
-/// The motion within a scan as poses at regular times; between two of them a point moves along the tangent, which for
-/// steps of a few hundredths of a degree is exact to well under a millimetre.
-class ScanMotion {
- public:
-  ScanMotion(const Pose& T_world_begin, const Vector6d& velocity, double duration)
-      : angular_(velocity.head<3>()), linear_(velocity.tail<3>()), step_(std::max(duration / kSteps, 1e-9)) {
-    for (std::size_t i = 0; i < poses_.size(); ++i) {
-      poses_[i] = T_world_begin * exp(velocity * (step_ * double(i)));
-    }
-  }
-
-  Eigen::Vector3d at(const Eigen::Vector3d& p, double time) const {
-    const double steps = std::round(time / step_);
-    const std::size_t i = steps > 0.0 ? std::size_t(std::min(steps, double(kSteps))) : 0;
-    return poses_[i] * (p + (time - step_ * double(i)) * (angular_.cross(p) + linear_));
-  }
-
- private:
-  static constexpr int kSteps = 256;
-  Eigen::Vector3d angular_, linear_;
-  double step_;
-  std::array<Pose, kSteps + 1> poses_;
-};
 
 /// Never zero, so that zero can mark a free slot; zero where the voxel lies outside what 21 bits an axis can say.
 std::uint64_t voxel_key(double x, double y, double z, double voxel) {
@@ -72,10 +48,10 @@ MapBuilder::MapBuilder(const MapOptions& options)
 void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const Vector6d& velocity) {
   const bool timed = cloud.has_times();
   const double duration = timed ? *std::max_element(cloud.times.begin(), cloud.times.end()) : pose_time;
-  const ScanMotion motion(T_world_lidar * exp(-pose_time * velocity), velocity, duration);
+  const ScanMotion motion(velocity, pose_time, duration);
   const bool bright = cloud.intensities.size() == cloud.size();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3d p = motion.at(cloud.points[i], timed ? double(cloud.times[i]) : pose_time);
+    const Eigen::Vector3d p = T_world_lidar * motion.move(cloud.points[i], timed ? double(cloud.times[i]) : pose_time);
     insert({float(p.x()), float(p.y()), float(p.z()), bright ? cloud.intensities[i] : 0.0F});
   }
 }

@@ -1,18 +1,23 @@
+#include <algorithm>
+
+#include <tilth/core/scan_motion.hpp>
 #include <tilth/preprocess/deskew.hpp>
 
 namespace tilth {
 
-PointCloud deskew(const PointCloud& cloud, const Vector6d& velocity, double reference_time) {
-  PointCloud still = cloud;
-  if (!cloud.has_times() || velocity.isZero(0)) return still;
-  for (std::size_t i = 0; i < still.size(); ++i) {
-    const Pose T_reference_point = exp(velocity * (double(cloud.times[i]) - reference_time));
-    still.points[i] = T_reference_point * cloud.points[i];
-    if (cloud.covariances.empty()) continue;
-    const Eigen::Matrix3d R = T_reference_point.linear();
-    still.covariances[i] = R * cloud.covariances[i] * R.transpose();
+SurfacePatches deskew(SurfacePatches patches, const Vector6d& velocity, double reference_time) {
+  if (patches.empty() || velocity.isZero(0)) return patches;
+  const auto earlier = [](const SurfacePatch& a, const SurfacePatch& b) { return a.time < b.time; };
+  const float last = std::max_element(patches.begin(), patches.end(), earlier)->time;
+  if (last == 0) return patches;  // no times
+  const ScanMotion motion(velocity, reference_time, last);
+  for (SurfacePatch& patch : patches) {
+    const Pose T = motion.at(patch.time);
+    patch.mean = T * patch.mean;
+    patch.normal = T.linear() * patch.normal;
+    patch.covariance = T.linear() * patch.covariance * T.linear().transpose();
   }
-  return still;
+  return patches;
 }
 
 }  // namespace tilth

@@ -1,14 +1,12 @@
-// Undoes the sensor's own motion within a scan, with the velocity held constant.
+// The motion within a scan undone, at constant velocity.
 #pragma once
 
-#include <tilth/core/point_cloud.hpp>
-#include <tilth/core/se3.hpp>
+#include <tilth/core/surface_patch.hpp>
 
 namespace tilth {
 
-/// The points of `cloud` as the sensor would have seen them, all at once, at `reference_time` [s since the stamp].
-/// `velocity` [rad/s, m/s] is the LiDAR's, in its own frame. Covariances are rotated along; times remain what they
-/// were. A cloud without times comes back as it is. O(n).
-PointCloud deskew(const PointCloud& cloud, const Vector6d& velocity, double reference_time);
+/// `patches` as the sensor would have seen them, all at once, at `reference_time` [s since the stamp]. `velocity`
+/// [rad/s, m/s] is the LiDAR's, in its own frame. Times remain what they were. O(n).
+SurfacePatches deskew(SurfacePatches patches, const Vector6d& velocity, double reference_time);
 
 }  // namespace tilth

@@ -110,11 +110,6 @@ void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& opti
 
 }  // namespace
 
-Straightening::Straightening(const MotionState& state)
-    : velocity_(state.velocity), middle_(state.middle), step_(std::max(state.middle, 1e-9) / kKnots) {
-  for (int i = -kKnots; i <= kKnots; ++i) T_middle_knot_[std::size_t(i + kKnots)] = exp(velocity_ * (step_ * i));
-}
-
 MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
   const Pose& T_map_last = alignment.pose.T_target_source;
   const bool known = prior.interval > 0 && alignment.pose.matches > 0;

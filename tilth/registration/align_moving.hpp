@@ -3,15 +3,14 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <concepts>
 #include <type_traits>
 #include <vector>
 
 #include <tilth/core/options.hpp>
+#include <tilth/core/scan_motion.hpp>
 #include <tilth/core/surface_patch.hpp>
 #include <tilth/registration/align_result.hpp>
+#include <tilth/registration/association.hpp>
 
 namespace tilth {
 
@@ -81,43 +80,11 @@ struct PatchPair {
   Eigen::Vector3d normal_in_map;   ///< of a flat surface
 };
 
-/// A look-up of the target: the surface for a point and its normal, or nullptr.
-template <class L>
-concept SurfaceLookup = requires(const L& lookup, const Eigen::Vector3d& p) {
-  { lookup(p, p, true)->mean } -> std::convertible_to<Eigen::Vector3d>;
-  { lookup(p, p, true)->normal } -> std::convertible_to<Eigen::Vector3d>;
-  { lookup(p, p, true)->covariance } -> std::convertible_to<Eigen::Matrix3d>;
-};
-
 /// The state that is estimated.
 struct MotionState {
   Pose T_map_lidar = Pose::Identity();   ///< at `middle`
   Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s]
   double middle = 0.0;                   ///< [s] since the stamp of the scan
-};
-
-/// Where the LiDAR was at any time of the scan, seen from its middle: exp(velocity (time - middle)), by its values at
-/// knots and their first derivative (error below 0.1 mm at 20 m and 90 degrees a second).
-class Straightening {
- public:
-  explicit Straightening(const MotionState& state);
-
-  Pose at(double time) const {
-    const double since_middle = time - middle_;
-    const double knot = std::clamp(std::round(since_middle / step_), -double(kKnots), double(kKnots));
-    const double rest = since_middle - knot * step_;
-    const Pose& T = T_middle_knot_[std::size_t(int(knot) + kKnots)];
-    Pose T_middle_time = T;
-    T_middle_time.translation() += rest * (T.linear() * velocity_.tail<3>());
-    T_middle_time.linear() += rest * T.linear() * skew(velocity_.head<3>());
-    return T_middle_time;
-  }
-
- private:
-  static constexpr int kKnots = 32;  // on either side of the middle
-  Vector6d velocity_;
-  double middle_, step_;
-  std::array<Pose, 2 * kKnots + 1> T_middle_knot_;
 };
 
 /// What a patch was matched with, and where it then was: looked up anew once it has moved.
@@ -135,10 +102,10 @@ void associate_patches(const SurfacePatches& patches, const MotionState& state, 
   pairs.clear();
   const double max_squared = options.max_distance * options.max_distance;
   const double renew_squared = options.renew_distance * options.renew_distance;
-  const Straightening straighten(state);
+  const ScanMotion motion(state.velocity, state.middle, 2 * state.middle);
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const SurfacePatch& patch = patches[i];
-    const Pose T_middle_patch = straighten.at(patch.time);
+    const Pose T_middle_patch = motion.at(patch.time);
     const Eigen::Vector3d point = T_middle_patch * patch.mean, point_in_map = state.T_map_lidar * point;
     const Eigen::Matrix3d R = state.T_map_lidar.linear() * T_middle_patch.linear();
     const Eigen::Vector3d normal = R * patch.normal;

@@ -6,15 +6,14 @@
 #include <vector>
 
 #include <tilth/core/options.hpp>
-#include <tilth/core/point_cloud.hpp>
-#include <tilth/core/se3.hpp>
+#include <tilth/core/surface_patch.hpp>
 #include <tilth/registration/residual.hpp>
 
 namespace tilth {
 
 struct AssociationOptions {
   double max_distance = 1.0;
-  double lambda = 2e-3;
+  double lambda = 1e-4;
 };
 
 template <class V>
@@ -23,47 +22,52 @@ void visit(AssociationOptions& o, V&& v) {
   v("lambda", o.lambda, Bounds{1e-12, 1}, "[m^2] added to the diagonal of every covariance");
 }
 
-/// A look-up of the target: a point's Gaussian, with `mean` and `covariance`, or nullptr.
+/// A look-up of the target: the surface for a point, its normal, and whether it is flat; or nullptr.
 template <class L>
-concept GaussianLookup = requires(const L& lookup, const Eigen::Vector3d& p) {
-  { lookup(p)->mean } -> std::convertible_to<Eigen::Vector3d>;
-  { lookup(p)->covariance } -> std::convertible_to<Eigen::Matrix3d>;
+concept SurfaceLookup = requires(const L& lookup, const Eigen::Vector3d& p) {
+  { lookup(p, p, true)->mean } -> std::convertible_to<Eigen::Vector3d>;
+  { lookup(p, p, true)->normal } -> std::convertible_to<Eigen::Vector3d>;
+  { lookup(p, p, true)->covariance } -> std::convertible_to<Eigen::Matrix3d>;
 };
 
-/// GICP pairs at T: each source point (with covariance) and its Gaussian, if that is within max_distance. The
-/// information matrices are made with the rotation of T (Fu et al. 2026, section 2.2).
-template <GaussianLookup Lookup>
-std::vector<DistributionToDistribution> associate_distributions(const PointCloud& source, const Pose& T,
+/// Calls add(patch, surface) for each source patch whose surface, at T, is within max_distance: the pre-check that
+/// spares the weighted term of all others (Fu et al. 2026, section 2.2).
+template <SurfaceLookup Lookup, class Add>
+void for_each_match(const SurfacePatches& source, const Pose& T, const Lookup& target,
+                    const AssociationOptions& options, const Add& add) {
+  const double max_squared = options.max_distance * options.max_distance;
+  for (const SurfacePatch& patch : source) {
+    const Eigen::Vector3d point = T * patch.mean;
+    const auto* surface = target(point, T.linear() * patch.normal, patch.flat);
+    if (surface != nullptr && (surface->mean - point).squaredNorm() <= max_squared) add(patch, *surface);
+  }
+}
+
+/// GICP pairs at T. The information matrices are made with the rotation of T (Fu et al. 2026, section 2.2).
+template <SurfaceLookup Lookup>
+std::vector<DistributionToDistribution> associate_distributions(const SurfacePatches& source, const Pose& T,
                                                                 const Lookup& target,
                                                                 const AssociationOptions& options) {
   std::vector<DistributionToDistribution> pairs;
   pairs.reserve(source.size());
   const Eigen::Matrix3d R = T.linear();
-  const double max_squared = options.max_distance * options.max_distance;
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const Eigen::Vector3d point = T * source.points[i];
-    const auto* gaussian = target(point);
-    if (gaussian == nullptr || (gaussian->mean - point).squaredNorm() > max_squared) continue;
-    Eigen::Matrix3d joint = R * source.covariances[i] * R.transpose() + gaussian->covariance;
+  for_each_match(source, T, target, options, [&](const SurfacePatch& patch, const auto& surface) {
+    Eigen::Matrix3d joint = R * patch.covariance * R.transpose() + surface.covariance;
     joint.diagonal().array() += 2 * options.lambda;  // lambda I in either covariance
-    pairs.push_back({source.points[i], gaussian->mean, whitening_of(joint)});
-  }
+    pairs.push_back({patch.mean, surface.mean, whitening_of(joint)});
+  });
   return pairs;
 }
 
-/// Point-to-point pairs at T: each source point and the mean of its Gaussian, if that is within max_distance.
-template <GaussianLookup Lookup>
-std::vector<PointToPoint> associate_points(const PointCloud& source, const Pose& T, const Lookup& target,
+/// Point-to-point pairs at T: each patch's mean and that of its surface.
+template <SurfaceLookup Lookup>
+std::vector<PointToPoint> associate_points(const SurfacePatches& source, const Pose& T, const Lookup& target,
                                            const AssociationOptions& options) {
   std::vector<PointToPoint> pairs;
   pairs.reserve(source.size());
-  const double max_squared = options.max_distance * options.max_distance;
-  for (const Eigen::Vector3d& p : source.points) {
-    const Eigen::Vector3d point = T * p;
-    const auto* gaussian = target(point);
-    if (gaussian == nullptr || (gaussian->mean - point).squaredNorm() > max_squared) continue;
-    pairs.push_back({p, gaussian->mean});
-  }
+  for_each_match(source, T, target, options, [&](const SurfacePatch& patch, const auto& surface) {
+    pairs.push_back({patch.mean, surface.mean});
+  });
   return pairs;
 }
 

@@ -1,0 +1,51 @@
+// The motion of the LiDAR within one scan, at constant velocity, by poses at regular times; in between, along the
+// tangent (error below 0.02 mm at 20 m and 90 degrees a second).
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include <tilth/core/se3.hpp>
+
+namespace tilth {
+
+class ScanMotion {
+ public:
+  /// `velocity` [rad/s, m/s] is the LiDAR's, in its own frame. Times [s] count from the stamp of the scan, of which
+  /// `reference_time` is the instant that all points are to be seen from; times run from 0 to about `duration`.
+  ScanMotion(const Vector6d& velocity, double reference_time, double duration)
+      : angular_(velocity.head<3>()), linear_(velocity.tail<3>()), step_(std::max(duration, 1e-9) / kKnots) {
+    for (std::size_t i = 0; i < T_reference_knot_.size(); ++i)
+      T_reference_knot_[i] = exp(velocity * (step_ * double(i) - reference_time));
+  }
+
+  /// Where the LiDAR was at `time`, seen from where it was at the reference time.
+  Pose at(double time) const {
+    const std::size_t i = knot(time);
+    const double rest = time - step_ * double(i);
+    Pose T_reference_time = T_reference_knot_[i];
+    T_reference_time.translation() += rest * (T_reference_time.linear() * linear_);
+    T_reference_time.linear() += rest * (T_reference_knot_[i].linear() * skew(angular_));
+    return T_reference_time;
+  }
+
+  /// at(time) * p.
+  Eigen::Vector3d move(const Eigen::Vector3d& p, double time) const {
+    const std::size_t i = knot(time);
+    return T_reference_knot_[i] * (p + (time - step_ * double(i)) * (angular_.cross(p) + linear_));
+  }
+
+ private:
+  static constexpr int kKnots = 64;
+
+  std::size_t knot(double time) const {
+    const double steps = time / step_ + 0.5;
+    return steps > 0 ? std::size_t(std::min(steps, double(kKnots))) : 0;
+  }
+
+  Eigen::Vector3d angular_, linear_;
+  double step_;
+  std::array<Pose, kKnots + 1> T_reference_knot_;
+};
+
+}  // namespace tilth
