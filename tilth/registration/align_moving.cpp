@@ -52,14 +52,15 @@ struct MovingSystem {
   Vector12d b = Vector12d::Zero();
 };
 
-MovingSystem linearize(const std::vector<PatchPair>& pairs, const MotionState& state, double width) {
+MovingSystem linearize(const std::vector<PatchPair>& pairs, const MotionState& state) {
   MovingSystem system;
   Matrix6d H1 = Matrix6d::Zero(), H2 = Matrix6d::Zero();
   Vector6d b1 = Vector6d::Zero();
   const Eigen::Matrix3d R = state.T_map_lidar.linear();
   for (const PatchPair& pair : pairs) {
     const double lever = double(pair.patch->time) - state.middle;
-    const PairTerm term = pair.patch->flat ? flat_term(pair, R, width) : shape_term(pair, R, width);
+    const PairTerm term =
+        pair.patch->flat ? flat_term(pair, R, state.kernel_width) : shape_term(pair, R, state.kernel_width);
     system.pose.H += term.H;
     H1 += lever * term.H;
     H2 += lever * lever * term.H;
@@ -118,9 +119,9 @@ MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
   return {T_map_last, alignment.velocity, motion, 0.0, prior.known || known};
 }
 
-bool step_moving(const std::vector<PatchPair>& pairs, const MotionPrior& prior, double kernel_width,
-                 const AlignMovingOptions& options, MotionState& state, MovingAlignment& result) {
-  MovingSystem system = linearize(pairs, state, kernel_width);
+bool step_moving(const std::vector<PatchPair>& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
+                 MotionState& state, MovingAlignment& result) {
+  MovingSystem system = linearize(pairs, state);
   ++result.pose.iterations;
   diagnose(system.pose, options.degeneracy_ratio, result.pose);
   if (pairs.size() < std::size_t(options.min_matches)) return false;

@@ -85,6 +85,7 @@ struct MotionState {
   Pose T_map_lidar = Pose::Identity();   ///< at `middle`
   Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s]
   double middle = 0.0;                   ///< [s] since the stamp of the scan
+  double kernel_width = 1.0;             ///< [sigma] in force
 };
 
 /// What a patch was matched with, and where it then was: looked up anew once it has moved.
@@ -93,13 +94,18 @@ struct SurfaceMatch {
   Eigen::Vector3d point_in_map = Eigen::Vector3d::Constant(1e300);
 };
 
-/// The pairs at `state`. `matches`, one a patch, are those of the iteration before; they are brought up to date.
+struct PatchMatching {
+  std::vector<SurfaceMatch> matches;  ///< one a patch
+  std::vector<PatchPair> pairs;       ///< those near enough, and facing the same way
+};
+
+/// Brings `matching`, of the iteration before, up to date at `state`.
 template <SurfaceLookup Lookup>
 void associate_patches(const SurfacePatches& patches, const MotionState& state, const Lookup& target,
-                       const AlignMovingOptions& options, std::vector<SurfaceMatch>& matches,
-                       std::vector<PatchPair>& pairs) {
+                       const AlignMovingOptions& options, PatchMatching& matching) {
   using Surface = std::remove_pointer_t<decltype(target(patches[0].mean, patches[0].normal, true))>;
-  pairs.clear();
+  matching.matches.resize(patches.size());
+  matching.pairs.clear();
   const double max_squared = options.max_distance * options.max_distance;
   const double renew_squared = options.renew_distance * options.renew_distance;
   const ScanMotion motion(state.velocity, state.middle, 2 * state.middle);
@@ -109,22 +115,24 @@ void associate_patches(const SurfacePatches& patches, const MotionState& state, 
     const Eigen::Vector3d point = T_middle_patch * patch.mean, point_in_map = state.T_map_lidar * point;
     const Eigen::Matrix3d R = state.T_map_lidar.linear() * T_middle_patch.linear();
     const Eigen::Vector3d normal = R * patch.normal;
-    if ((point_in_map - matches[i].point_in_map).squaredNorm() > renew_squared)
-      matches[i] = {target(point_in_map, normal, patch.flat), point_in_map};
-    const auto* surface = static_cast<Surface*>(matches[i].surface);
+    SurfaceMatch& match = matching.matches[i];
+    if ((point_in_map - match.point_in_map).squaredNorm() > renew_squared)
+      match = {target(point_in_map, normal, patch.flat), point_in_map};
+    const auto* surface = static_cast<Surface*>(match.surface);
     if (surface == nullptr) continue;
     const Eigen::Vector3d offset = point_in_map - surface->mean;
     if (offset.squaredNorm() > max_squared) continue;
     if (patch.flat && normal.dot(surface->normal) < options.min_cosine) continue;
     Eigen::Matrix3d joint = R * patch.covariance * R.transpose() + surface->covariance;
     joint.diagonal().array() += options.patch_variance;
-    pairs.push_back({&patch, point, offset, joint, surface->normal});
+    matching.pairs.push_back({&patch, point, offset, joint, surface->normal});
   }
 }
 
-/// One damped step on `pairs` and the prior; false where there are too few pairs or no solution.
-bool step_moving(const std::vector<PatchPair>& pairs, const MotionPrior& prior, double kernel_width,
-                 const AlignMovingOptions& options, MotionState& state, MovingAlignment& result);
+/// One step of `state` on `pairs` and the prior, with the diagnosis of the pairs; false where there are too few pairs
+/// or no solution.
+bool step_moving(const std::vector<PatchPair>& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
+                 MotionState& state, MovingAlignment& result);
 
 /// The state at which the patches agree with the target, and the prior. Pairs are made anew in every iteration; the
 /// kernel narrows from first_kernel_width to kernel_width (graduated non-convexity, Yang et al. 2020). Too few pairs:
@@ -132,19 +140,16 @@ bool step_moving(const std::vector<PatchPair>& pairs, const MotionPrior& prior, 
 template <SurfaceLookup Lookup>
 MovingAlignment align_moving(const SurfacePatches& patches, double middle, const MotionPrior& prior,
                              const Lookup& target, const AlignMovingOptions& options) {
-  MotionState state{retract(prior.T_map_last, prior.velocity * prior.interval), prior.velocity, middle};
+  MotionState state{retract(prior.T_map_last, prior.velocity * prior.interval), prior.velocity, middle,
+                    std::max(options.first_kernel_width, options.kernel_width)};
   MovingAlignment result{.pose = {.T_target_source = state.T_map_lidar}, .velocity = state.velocity};
   result.pose.candidates = patches.size();
-  double width = options.first_kernel_width;
-  std::vector<SurfaceMatch> matches(patches.size());
-  std::vector<PatchPair> pairs;
-  pairs.reserve(patches.size());
+  PatchMatching matching;
   while (result.pose.iterations < options.max_iterations && !result.pose.converged) {
-    width = std::max(options.kernel_width, width);
-    associate_patches(patches, state, target, options, matches, pairs);
-    if (!step_moving(pairs, prior, width, options, state, result)) return result;
-    result.pose.converged &= width <= options.kernel_width;
-    width /= 2;
+    associate_patches(patches, state, target, options, matching);
+    if (!step_moving(matching.pairs, prior, options, state, result)) return result;
+    result.pose.converged &= state.kernel_width <= options.kernel_width;
+    state.kernel_width = std::max(options.kernel_width, state.kernel_width / 2);
   }
   result.pose.T_target_source = state.T_map_lidar;
   result.velocity = state.velocity;
