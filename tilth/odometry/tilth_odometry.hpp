@@ -13,7 +13,7 @@ namespace tilth {
 struct TilthOptions {
   double min_range = 0.5;
   double max_range = 100.0;
-  double pose_at = 0.7;
+  double pose_at = 0.58;
   RingSupportOptions outliers;
   PatchOptions patches;
   AlignMovingOptions align;
