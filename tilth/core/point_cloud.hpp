@@ -12,10 +12,10 @@
 namespace tilth {
 
 struct PointCloud {
-  std::vector<Eigen::Vector3d> points;       ///< [m], in the LiDAR frame unless the variable's name says otherwise
-  std::vector<float> intensities;            ///< as the sensor gives them
-  std::vector<float> times;                  ///< [s] >= 0, since the stamp of the scan (its first point)
-  std::vector<std::uint16_t> rings;          ///< 0 = lowest beam
+  std::vector<Eigen::Vector3d> points;  ///< [m], in the LiDAR frame unless the variable's name says otherwise
+  std::vector<float> intensities;       ///< as the sensor gives them
+  std::vector<float> times;             ///< [s] >= 0, since the stamp of the scan (its first point)
+  std::vector<std::uint16_t> rings;     ///< 0 = lowest beam
 
   std::size_t size() const { return points.size(); }
   bool empty() const { return points.empty(); }
