@@ -75,11 +75,11 @@ class RingCutter {
       const Eigen::Vector3d& p = cloud_.points[sighting.index];
       const double range = p.norm();
       if (count_ > 0) {
-        const double gap = (p - cloud_.points[last.index]).norm();
+        const double gap_squared = (p - cloud_.points[last.index]).squaredNorm();
         const bool jump = std::abs(range - last_range) > std::max(options_.min_jump, options_.jump_share * range) ||
-                          gap > std::max(options_.min_jump, 12 * range * step) ||
+                          gap_squared > square(std::max(options_.min_jump, 12 * range * step)) ||
                           sighting.azimuth - last.azimuth > kMostSteps * step;
-        if (jump || (p - first_).norm() > std::max(options_.length, 4.5 * step * range)) {
+        if (jump || (p - first_).squaredNorm() > square(std::max(options_.length, 4.5 * step * range))) {
           close(last.azimuth, after_jump && jump);
           after_jump = jump;
         }
@@ -99,11 +99,13 @@ class RingCutter {
       first_azimuth_ = sighting.azimuth;
       sum_.setZero();
       squares_.setZero();
+      products_.setZero();
       times_ = 0;
     }
     const Eigen::Vector3d d = p - first_;
     sum_ += d;
-    squares_.noalias() += d * d.transpose();
+    squares_ += d.cwiseAbs2();
+    products_ += Eigen::Vector3d(d.x() * d.y(), d.y() * d.z(), d.z() * d.x());
     if (cloud_.has_times()) times_ += cloud_.times[sighting.index];
   }
 
@@ -112,7 +114,7 @@ class RingCutter {
     if (count_ >= options_.min_points) {
       const Eigen::Vector3d offset = sum_ / n;
       segments_.push_back({.mean = first_ + offset,
-                           .scatter = squares_ - n * offset * offset.transpose(),
+                           .scatter = second_moments() - n * offset * offset.transpose(),
                            .azimuth = 0.5f * (first_azimuth_ + last_azimuth),
                            .width = last_azimuth - first_azimuth_,
                            .time = float(times_ / n),
@@ -122,11 +124,20 @@ class RingCutter {
     count_ = 0;
   }
 
+  static double square(double x) { return x * x; }
+
+  Eigen::Matrix3d second_moments() const {
+    Eigen::Matrix3d moments = squares_.asDiagonal();
+    moments(0, 1) = moments(1, 0) = products_[0];
+    moments(1, 2) = moments(2, 1) = products_[1];
+    moments(2, 0) = moments(0, 2) = products_[2];
+    return moments;
+  }
+
   const PointCloud& cloud_;
   const SegmentOptions& options_;
   std::vector<RingSegment> segments_;
-  Eigen::Vector3d first_, sum_;
-  Eigen::Matrix3d squares_;
+  Eigen::Vector3d first_, sum_, squares_, products_;
   double times_ = 0;
   float first_azimuth_ = 0;
   int count_ = 0;
