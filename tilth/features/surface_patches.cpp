@@ -69,15 +69,20 @@ class PatchFitter {
     const RingSegment& self = *column[kSelf];
     const double range = self.mean.norm();
     const bool pole = self.free && self.width * range < options_.pole_width;
-    if (!pole && fit_plane(column, range)) return finish(self, true, patch);
+    if (!pole && fit_plane(column, range)) {
+      patch = shaped(self, true);
+      return true;
+    }
     Moments moments;
     moments.add(self);
     const double reach = std::max(0.4, 0.05 * range);
     for (const std::size_t i : {kBelow, kAbove}) {
       if (column[i] && (column[i]->mean - self.mean).norm() < reach) moments.add(*column[i]);
     }
+    if (moments.count == self.count) return false;
     covariance_ = moments.covariance();
-    return moments.count > self.count && finish(self, false, patch);
+    patch = shaped(self, false);
+    return true;
   }
 
  private:
@@ -109,16 +114,16 @@ class PatchFitter {
     return true;
   }
 
-  bool finish(const RingSegment& self, bool flat, SurfacePatch& patch) {
+  // The patch of the run and of covariance_.
+  SurfacePatch shaped(const RingSegment& self, bool flat) {
     eigen_.computeDirect(covariance_);
     const Eigen::Vector3d normal = eigen_.eigenvectors().col(0);
-    patch = {.mean = self.mean,
-             .covariance = covariance_,
-             .normal = normal.dot(self.mean) > 0 ? Eigen::Vector3d(-normal) : normal,
-             .time = self.time,
-             .thickness = float(std::max(0.0, eigen_.eigenvalues()[0])),
-             .flat = flat};
-    return true;
+    return {.mean = self.mean,
+            .covariance = covariance_,
+            .normal = normal.dot(self.mean) > 0 ? Eigen::Vector3d(-normal) : normal,
+            .time = self.time,
+            .thickness = float(std::max(0.0, eigen_.eigenvalues()[0])),
+            .flat = flat};
   }
 
   const PatchOptions& options_;

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include <Eigen/Cholesky>
 
 #include <tilth/registration/align.hpp>
@@ -16,34 +14,26 @@ using Matrix12d = Eigen::Matrix<double, 12, 12>;
 struct PairTerm {
   Matrix6d H;
   Vector6d b;
-  double error, weight;
+  double error;
 };
 
-// Geman-McClure by the squared residual in units of its variance.
-double kernel_weight(double squared, double width) {
-  const double s = 1 + squared / (width * width);
-  return 1 / (s * s);
-}
-
-PairTerm flat_term(const PatchPair& pair, const Eigen::Matrix3d& R, double width) {
+PairTerm flat_term(const PatchPair& pair, const Pose& T, const RobustKernel& kernel) {
   const double residual = pair.normal_in_map.dot(pair.offset_in_map);
   const double information = 1 / pair.normal_in_map.dot(pair.joint * pair.normal_in_map);
-  const double weight = kernel_weight(residual * residual * information, width);
-  const Eigen::Vector3d normal = R.transpose() * pair.normal_in_map;
+  const double w = information * kernel.weight(residual * residual * information);
+  const Eigen::Vector3d normal = T.linear().transpose() * pair.normal_in_map;
   Vector6d J;
   J << pair.point_in_lidar.cross(normal), normal;
-  const double w = weight * information;
-  return {w * J * J.transpose(), w * residual * J, w * residual * residual, weight};
+  return {w * J * J.transpose(), w * residual * J, w * residual * residual};
 }
 
-PairTerm shape_term(const PatchPair& pair, const Eigen::Matrix3d& R, double width) {
+PairTerm shape_term(const PatchPair& pair, const Pose& T, const RobustKernel& kernel) {
   const Eigen::Matrix3d information = pair.joint.inverse();
   const double squared = pair.offset_in_map.dot(information * pair.offset_in_map);
-  const double weight = kernel_weight(squared, width);
-  Eigen::Matrix<double, 3, 6> J;
-  J << -R * skew(pair.point_in_lidar), R;
+  const double weight = kernel.weight(squared);
+  const Eigen::Matrix<double, 3, 6> J = point_jacobian(T, pair.point_in_lidar);
   const Eigen::Matrix<double, 6, 3> Jt = weight * J.transpose() * information;
-  return {Jt * J, Jt * pair.offset_in_map, weight * squared, weight};
+  return {Jt * J, Jt * pair.offset_in_map, weight * squared};
 }
 
 struct MovingSystem {
@@ -56,11 +46,11 @@ MovingSystem linearize(const std::vector<PatchPair>& pairs, const MotionState& s
   MovingSystem system;
   Matrix6d H1 = Matrix6d::Zero(), H2 = Matrix6d::Zero();
   Vector6d b1 = Vector6d::Zero();
-  const Eigen::Matrix3d R = state.T_map_lidar.linear();
+  const RobustKernel kernel{Kernel::geman_mcclure, state.kernel_width};
   for (const PatchPair& pair : pairs) {
     const double lever = double(pair.patch->time) - state.middle;
     const PairTerm term =
-        pair.patch->flat ? flat_term(pair, R, state.kernel_width) : shape_term(pair, R, state.kernel_width);
+        pair.patch->flat ? flat_term(pair, state.T_map_lidar, kernel) : shape_term(pair, state.T_map_lidar, kernel);
     system.pose.H += term.H;
     H1 += lever * term.H;
     H2 += lever * lever * term.H;
@@ -86,10 +76,9 @@ Vector6d weights_of(double rotation_sigma, double translation_sigma) {
 void add_pose_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
                     MovingSystem& system) {
   const double half_square = 0.5 * prior.interval * prior.interval;
-  const Pose T_predicted = retract(prior.T_map_last, prior.velocity * prior.interval);
   const Vector6d weights = weights_of(half_square * options.angular_acceleration, half_square * options.acceleration);
   system.H.topLeftCorner<6, 6>() += weights.asDiagonal();
-  system.b.head<6>() += weights.cwiseProduct(log(T_predicted.inverse() * state.T_map_lidar));
+  system.b.head<6>() += weights.cwiseProduct(log(predicted(prior).inverse() * state.T_map_lidar));
 }
 
 // The velocity in the scan is the motion since the last scan, unless that itself has changed: then it may differ.

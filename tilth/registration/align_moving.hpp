@@ -63,6 +63,11 @@ struct MotionPrior {
   bool known = false;                       ///< false: nothing is known of the motion yet, only that it is steady
 };
 
+/// Where the velocity expected leads to.
+inline Pose predicted(const MotionPrior& prior) {
+  return retract(prior.T_map_last, prior.velocity * prior.interval);
+}
+
 struct MovingAlignment {
   AlignResult pose;                      ///< T_target_source is at `middle`
   Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s] during the scan, in the LiDAR's frame
@@ -140,7 +145,7 @@ bool step_moving(const std::vector<PatchPair>& pairs, const MotionPrior& prior, 
 template <SurfaceLookup Lookup>
 MovingAlignment align_moving(const SurfacePatches& patches, double middle, const MotionPrior& prior,
                              const Lookup& target, const AlignMovingOptions& options) {
-  MotionState state{retract(prior.T_map_last, prior.velocity * prior.interval), prior.velocity, middle,
+  MotionState state{predicted(prior), prior.velocity, middle,
                     std::max(options.first_kernel_width, options.kernel_width)};
   MovingAlignment result{.pose = {.T_target_source = state.T_map_lidar}, .velocity = state.velocity};
   result.pose.candidates = patches.size();
