@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <tilth/core/point_cloud.hpp>
 
 namespace tilth {
@@ -26,6 +28,19 @@ void join(std::vector<T>& values, const std::vector<T>& more, bool both_have_it)
 PointCloud select(const PointCloud& cloud, std::span<const std::uint32_t> indices) {
   return {pick(cloud.points, indices), pick(cloud.intensities, indices), pick(cloud.times, indices),
           pick(cloud.rings, indices)};
+}
+
+PointCloud select_kept(const PointCloud& cloud, std::span<const std::uint8_t> keep) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(cloud.size());
+  for (std::uint32_t i = 0; i < keep.size(); ++i) {
+    if (keep[i] != 0) indices.push_back(i);
+  }
+  return select(cloud, indices);
+}
+
+double duration(const PointCloud& cloud) {
+  return cloud.has_times() ? double(*std::max_element(cloud.times.begin(), cloud.times.end())) : 0.0;
 }
 
 PointCloud transform(const PointCloud& cloud, const Eigen::Isometry3d& T_target_source) {

@@ -26,6 +26,12 @@ struct PointCloud {
 /// The points at `indices`, with every attribute that `cloud` has, in the order of `indices`.
 PointCloud select(const PointCloud& cloud, std::span<const std::uint32_t> indices);
 
+/// The points whose entry in `keep`, one a point, is not zero.
+PointCloud select_kept(const PointCloud& cloud, std::span<const std::uint8_t> keep);
+
+/// [s] from the stamp of the scan to its last point; 0 without times.
+double duration(const PointCloud& cloud);
+
 /// `cloud` moved by T_target_source. O(n).
 PointCloud transform(const PointCloud& cloud, const Eigen::Isometry3d& T_target_source);
 

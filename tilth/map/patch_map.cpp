@@ -90,6 +90,13 @@ const MapSurface* PatchMap::find(const Eigen::Vector3d& point, const Eigen::Vect
   return nearest;
 }
 
+std::vector<Eigen::Vector3d> PatchMap::means() const {
+  std::vector<Eigen::Vector3d> means;
+  means.reserve(surfaces_.size());
+  for (const MapSurface& surface : surfaces_) means.push_back(surface.mean);
+  return means;
+}
+
 void PatchMap::crop(const Eigen::Vector3d& center) {
   constexpr double kMoved = 0.1;  // of the range: how far the center moves before voxels are looked through
   if ((center - last_center_).norm() < kMoved * options_.max_range) return;

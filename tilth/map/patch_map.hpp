@@ -56,6 +56,9 @@ class PatchMap {
   /// where the patch is not `flat`), or nullptr.
   const MapSurface* find(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, bool flat) const;
 
+  /// Where the surfaces are. O(surfaces).
+  std::vector<Eigen::Vector3d> means() const;
+
   const std::vector<MapSurface>& surfaces() const { return surfaces_; }
 
  private:

@@ -7,11 +7,6 @@
 namespace tilth {
 namespace {
 
-// [s] from the stamp to the middle of the scan: the instant that a wrong velocity shifts least.
-double middle_of(const PointCloud& cloud) {
-  return cloud.has_times() ? 0.5 * double(*std::max_element(cloud.times.begin(), cloud.times.end())) : 0.0;
-}
-
 SurfacePatches pick(const SurfacePatches& patches, std::span<const std::uint32_t> indices) {
   SurfacePatches picked;
   picked.reserve(indices.size());
@@ -54,13 +49,13 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   begin_stage("crop");
   const PointCloud cloud = crop_range(scan.cloud, options_.min_range, options_.max_range);
   begin_stage("outliers");
-  result.filtered = without_outliers(cloud);
+  result.filtered = select_kept(cloud, keep_inliers(cloud, neighbors_, options_.outliers));
   begin_stage("features");
   const SurfacePatches patches = surface_patches(result.filtered, options_.patches);
   const Features features = extract_features(patches, options_.features);
 
   begin_stage("registration");
-  const double middle = middle_of(cloud);
+  const double middle = 0.5 * duration(cloud);
   result.stamp = scan.stamp + middle;
   // The second time the scan is straightened by the motion that the first time has found.
   Pose T_world_middle = motion_.predict(result.stamp);
@@ -78,24 +73,6 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   result.T_world_lidar = T_world_middle;
   result.counts = {cloud.size(), cloud.size() - result.filtered.size(), features.edges.size(), features.planes.size()};
   return result;
-}
-
-// Neighbours are looked for only where a method needs them.
-std::vector<std::uint8_t> ImprovedFloam::inliers(const PointCloud& cloud) {
-  if (options_.outliers.method == OutlierMethod::support) {
-    if (auto keep = ring_support(cloud, options_.outliers.support)) return std::move(*keep);
-  }
-  return keep_inliers(cloud, neighbors_.compute(cloud, std::size_t(options_.outliers.k)), options_.outliers);
-}
-
-PointCloud ImprovedFloam::without_outliers(const PointCloud& cloud) {
-  const std::vector<std::uint8_t> keep = inliers(cloud);
-  std::vector<std::uint32_t> indices;
-  indices.reserve(cloud.size());
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    if (keep[i] != 0) indices.push_back(i);
-  }
-  return select(cloud, indices);
 }
 
 AlignResult ImprovedFloam::register_features(const SurfacePatches& features, const Pose& T_start) const {
@@ -116,7 +93,7 @@ AlignResult ImprovedFloam::register_features(const SurfacePatches& features, con
 
 PointCloud ImprovedFloam::local_map() const {
   PointCloud map_in_world;
-  for (const MapSurface& surface : map_.surfaces()) map_in_world.points.push_back(surface.mean);
+  map_in_world.points = map_.means();
   return map_in_world;
 }
 

@@ -53,8 +53,6 @@ class ImprovedFloam : public Odometry {
   PointCloud local_map() const override;
 
  private:
-  std::vector<std::uint8_t> inliers(const PointCloud& cloud);
-  PointCloud without_outliers(const PointCloud& cloud);
   AlignResult register_features(const SurfacePatches& features, const Pose& T_start) const;
 
   ImprovedFloamOptions options_;

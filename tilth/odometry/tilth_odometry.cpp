@@ -7,19 +7,9 @@
 namespace tilth {
 namespace {
 
-// [s] from the stamp to the last point.
-double duration_of(const PointCloud& cloud) {
-  return cloud.has_times() ? double(*std::max_element(cloud.times.begin(), cloud.times.end())) : 0.0;
-}
-
-std::vector<std::uint32_t> kept(const PointCloud& cloud, const RingSupportOptions& options) {
+PointCloud without_outliers(const PointCloud& cloud, const RingSupportOptions& options) {
   const std::optional<std::vector<std::uint8_t>> keep = ring_support(cloud, options);
-  std::vector<std::uint32_t> indices;
-  indices.reserve(cloud.size());
-  for (std::uint32_t i = 0; i < cloud.size(); ++i) {
-    if (!keep || (*keep)[i] != 0) indices.push_back(i);
-  }
-  return indices;
+  return keep ? select_kept(cloud, *keep) : cloud;
 }
 
 }  // namespace
@@ -29,12 +19,12 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   begin_stage("crop");
   const PointCloud cloud = crop_range(scan.cloud, options_.min_range, options_.max_range);
   begin_stage("outliers");
-  result.filtered = select(cloud, kept(cloud, options_.outliers));
+  result.filtered = without_outliers(cloud, options_.outliers);
   begin_stage("features");
   const SurfacePatches patches = surface_patches(result.filtered, options_.patches);
 
   begin_stage("registration");
-  const double duration = duration_of(cloud), middle = 0.5 * duration;
+  const double scan_duration = duration(cloud), middle = 0.5 * scan_duration;
   motion_.interval = registered_ > 0 ? scan.stamp + middle - last_middle_ : 0.0;
   const MovingAlignment alignment = register_patches(patches, middle);
   begin_stage("map");
@@ -43,8 +33,8 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
 
   result.alignment = alignment.pose;
   result.velocity = alignment.velocity;
-  result.stamp = scan.stamp + options_.pose_at * duration;
-  const double since_middle = (options_.pose_at - 0.5) * duration;
+  result.stamp = scan.stamp + options_.pose_at * scan_duration;
+  const double since_middle = (options_.pose_at - 0.5) * scan_duration;
   result.T_world_lidar = retract(alignment.pose.T_target_source, alignment.velocity * since_middle);
   const auto flat = std::count_if(patches.begin(), patches.end(), [](const SurfacePatch& p) { return p.flat; });
   result.counts = {cloud.size(), cloud.size() - result.filtered.size(), patches.size() - std::size_t(flat),
@@ -87,7 +77,7 @@ void TilthOdometry::insert(const SurfacePatches& patches, double middle, const M
 
 PointCloud TilthOdometry::local_map() const {
   PointCloud map_in_world;
-  for (const MapSurface& surface : map_.surfaces()) map_in_world.points.push_back(surface.mean);
+  map_in_world.points = map_.means();
   return map_in_world;
 }
 

@@ -59,20 +59,40 @@ std::vector<std::uint8_t> keep_below(std::span<const float> means, std::span<con
   return keep;
 }
 
-}  // namespace
-
-std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors,
-                                       const OutlierOptions& options) {
-  if (options.method == OutlierMethod::none || neighbors.size() == 0) return std::vector<std::uint8_t>(cloud.size(), 1);
-  if (options.method == OutlierMethod::support) {
-    if (auto keep = ring_support(cloud, options.support)) return std::move(*keep);
-  }
+std::vector<std::uint8_t> keep_by_distance(const PointCloud& cloud, const NeighborTable& neighbors,
+                                           const OutlierOptions& options) {
   const std::vector<float> scale = scale_of(cloud, options.per_range);
   if (options.method == OutlierMethod::plain) return keep_below(mean_distances(neighbors, scale, 0), {}, options);
   const double average = std::max(mean_distance(neighbors, scale), 1e-9);
   const std::vector<float> means = mean_distances(neighbors, scale, float(1 / average));
   if (options.density == DensityTerm::none) return keep_below(means, {}, options);
   return keep_below(means, densities(neighbors, scale), options);
+}
+
+// `table() -> NeighborTable` is asked for where the method needs it.
+template <class Table>
+std::vector<std::uint8_t> keep_by_method(const PointCloud& cloud, const Table& table, const OutlierOptions& options) {
+  const std::vector<std::uint8_t> all(cloud.size(), 1);
+  if (options.method == OutlierMethod::none) return all;
+  if (options.method == OutlierMethod::support) {
+    if (auto keep = ring_support(cloud, options.support)) return std::move(*keep);
+  }
+  const NeighborTable& neighbors = table();
+  return neighbors.size() == 0 ? all : keep_by_distance(cloud, neighbors, options);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors,
+                                       const OutlierOptions& options) {
+  return keep_by_method(
+      cloud, [&]() -> const NeighborTable& { return neighbors; }, options);
+}
+
+std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, ScanNeighbors& neighbors,
+                                       const OutlierOptions& options) {
+  return keep_by_method(
+      cloud, [&]() -> const NeighborTable& { return neighbors.compute(cloud, std::size_t(options.k)); }, options);
 }
 
 }  // namespace tilth

@@ -59,4 +59,8 @@ void visit(OutlierOptions& o, V&& v) {
 std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors,
                                        const OutlierOptions& options);
 
+/// The same, with neighbours looked for only where the method needs them.
+std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, ScanNeighbors& neighbors,
+                                       const OutlierOptions& options);
+
 }  // namespace tilth
