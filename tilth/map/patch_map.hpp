@@ -11,7 +11,7 @@
 
 #include <tilth/core/options.hpp>
 #include <tilth/core/surface_patch.hpp>
-#include <tilth/map/voxel_table.hpp>
+#include <tilth/core/voxel_table.hpp>
 
 namespace tilth {
 
