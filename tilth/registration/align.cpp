@@ -6,11 +6,43 @@
 #include <tilth/registration/align.hpp>
 
 namespace tilth {
+namespace {
 
-bool solve(const LinearSystem& system, Vector6d& step) {
-  const Eigen::LDLT<Matrix6d> factor(system.H);
+// One step of Gauss and Newton, or damped; false where the system has no solution.
+bool solve(const LinearSystem& system, double damping, Vector6d& step) {
+  Matrix6d H = system.H;
+  H.diagonal() += damping * H.diagonal();
+  const Eigen::LDLT<Matrix6d> factor(H);
   step = factor.solve(-system.b);
   return factor.info() == Eigen::Success && step.allFinite();
+}
+
+// Holds the directions whose eigenvalue, of rotations in rad and translations in m, is below `min_information`.
+void hold_weak_directions(double min_information, AlignState& state) {
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(state.system.H);
+  const Vector6d kept = (eigen.eigenvalues().array() >= min_information).cast<double>();
+  state.movable = eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
+  state.held_directions = 6 - int(kept.sum());
+}
+
+}  // namespace
+
+StepOutcome step_align(const AlignOptions& options, AlignState& state, AlignResult& result) {
+  Vector6d step;
+  if (state.system.matches < std::size_t(options.min_matches) || !solve(state.system, options.damping, step))
+    return StepOutcome::failed;
+  if (options.min_information > 0) {
+    if (state.steps == 0) hold_weak_directions(options.min_information, state);
+    step = state.movable * step;
+  }
+  ++state.steps;
+  result.T_target_source = retract(result.T_target_source, step);
+  const double error = state.system.error / double(state.system.matches);
+  const double change = std::abs(error - state.last_error);
+  state.last_error = error;
+  const bool still =
+      step.head<3>().norm() < options.rotation_epsilon && step.tail<3>().norm() < options.transformation_epsilon;
+  return still || change <= options.fitness_epsilon * error ? StepOutcome::stands_still : StepOutcome::moved;
 }
 
 void diagnose(const LinearSystem& system, double degeneracy_ratio, AlignResult& result) {

@@ -16,10 +16,14 @@ namespace tilth {
 
 struct AlignOptions {
   int max_iterations = 200;
+  int inner_iterations = 1;
   double transformation_epsilon = 1e-6;
+  double rotation_epsilon = 1e-6;
   double fitness_epsilon = 1e-6;
   Kernel kernel = Kernel::none;
   double kernel_width = 1.0;
+  double damping = 0.0;
+  double min_information = 0.0;
   double degeneracy_ratio = 1e-3;
   int min_matches = 20;
 };
@@ -27,10 +31,16 @@ struct AlignOptions {
 template <class V>
 void visit(AlignOptions& o, V&& v) {
   v("max_iterations", o.max_iterations, Bounds{1, 10000}, "[-] associations at most");
-  v("transformation_epsilon", o.transformation_epsilon, Bounds{0, 1}, "[rad, m] stop when a step is smaller");
+  v("inner_iterations", o.inner_iterations, Bounds{1, 1000}, "[-] steps at most on the same pairs");
+  v("transformation_epsilon", o.transformation_epsilon, Bounds{0, 1}, "[m] stop when a step is smaller");
+  v("rotation_epsilon", o.rotation_epsilon, Bounds{0, 1}, "[rad] stop when a step is smaller");
   v("fitness_epsilon", o.fitness_epsilon, Bounds{0, 1}, "[-] stop when the mean error changes by a smaller share");
   v("kernel", o.kernel, "[-] robust kernel on each pair");
   v("kernel_width", o.kernel_width, Bounds{1e-9, 1e9}, "[-] residual at which the kernel begins to act");
+  v("damping", o.damping, Bounds{0, 1e9},
+    "[-] share of the diagonal of J^T J that is added to it (Levenberg, Marquardt)");
+  v("min_information", o.min_information, Bounds{0, 1e12},
+    "[-] eigenvalue of the first J^T J below which a direction keeps the predicted pose; 0: all directions move");
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
     "[-] a direction with less information than this share of the best one is degenerate");
   v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept");
@@ -59,40 +69,49 @@ void accumulate(LinearSystem& system, std::span<const R> residuals, const Pose& 
   system.matches += residuals.size();
 }
 
-/// One Gauss-Newton step on `system`; false where the system has no solution.
-bool solve(const LinearSystem& system, Vector6d& step);
+/// What a registration carries from one step to the next.
+struct AlignState {
+  LinearSystem system;                      ///< at the pose before the next step
+  Matrix6d movable = Matrix6d::Identity();  ///< projects a step onto the directions that may move
+  int held_directions = 0;                  ///< the others
+  double last_error = -1;                   ///< mean over the pairs, one step ago
+  int steps = 0;
+};
+
+enum class StepOutcome { moved, stands_still, failed };
+
+/// One step of result.T_target_source on state.system; failed where there are too few pairs or no solution.
+StepOutcome step_align(const AlignOptions& options, AlignState& state, AlignResult& result);
 
 /// Fills information, covariance and degenerate directions from the last system.
 void diagnose(const LinearSystem& system, double degeneracy_ratio, AlignResult& result);
 
 /// Moves T_init until the pairs of all `associate(T) -> vector of Residual` agree. The pairs, and whatever they derive
-/// from T, are made anew in every iteration. Too few pairs: T_init comes back, not converged.
+/// from T, are made anew in every iteration. Directions of too little information (Zhang, Kaess and Singh 2016) stay at
+/// T_init if options.min_information says so. Too few pairs: T_init comes back, not converged.
 template <class... Associations>
 AlignResult align(const Pose& T_init, const AlignOptions& options, const Associations&... associate) {
   AlignResult result{.T_target_source = T_init};
   const RobustKernel kernel{options.kernel, options.kernel_width};
-  LinearSystem system;
-  double last_error = -1;
-  while (result.iterations < options.max_iterations && !result.converged) {
-    system = LinearSystem();
-    const auto add = [&](const auto& pairs) {
-      accumulate(system, std::span(pairs.data(), pairs.size()), result.T_target_source, kernel);
-    };
-    (add(associate(result.T_target_source)), ...);
+  AlignState state;
+  StepOutcome outcome = StepOutcome::moved;
+  while (result.iterations < options.max_iterations && !result.converged && outcome != StepOutcome::failed) {
+    const std::tuple pairs{associate(result.T_target_source)...};
     ++result.iterations;
-    Vector6d step;
-    if (system.matches < std::size_t(options.min_matches) || !solve(system, step)) {
-      result.T_target_source = T_init;
-      break;
+    outcome = StepOutcome::moved;
+    for (int inner = 0; inner < options.inner_iterations && outcome == StepOutcome::moved; ++inner) {
+      state.system = LinearSystem();
+      const auto add = [&](const auto&... p) {
+        (accumulate(state.system, std::span(p.data(), p.size()), result.T_target_source, kernel), ...);
+      };
+      std::apply(add, pairs);
+      outcome = step_align(options, state, result);
+      result.converged = outcome == StepOutcome::stands_still && inner == 0;
     }
-    result.T_target_source = retract(result.T_target_source, step);
-    const double error = system.error / double(system.matches);
-    const bool still = step.head<3>().norm() < options.transformation_epsilon &&
-                       step.tail<3>().norm() < options.transformation_epsilon;
-    result.converged = still || std::abs(error - last_error) <= options.fitness_epsilon * error;
-    last_error = error;
   }
-  diagnose(system, options.degeneracy_ratio, result);
+  if (outcome == StepOutcome::failed) result.T_target_source = T_init;
+  diagnose(state.system, options.degeneracy_ratio, result);
+  if (options.min_information > 0 && state.steps > 0) result.degenerate_directions = state.held_directions;
   return result;
 }
 
