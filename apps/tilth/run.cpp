@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "machine.hpp"
 #include "option_arguments.hpp"
 #include "option_flags.hpp"
 #include "register_scans.hpp"
@@ -30,7 +31,7 @@ struct RunArguments {
   std::string source, out, truth;
   OptionArguments options;
   SourceOptions input;
-  OptionValues map;
+  OptionValues map, report;
   LoopOptions loop;
   int threads = 0;  // zero: as many as there are processors
   bool quiet = false;
@@ -56,7 +57,10 @@ RunRecord new_record(const RunArguments& arguments, const PipelineChoice& choice
   record.version = TILTH_VERSION;
   record.source = arguments.source;
   record.pipeline = choice.name;
+  record.machine = machine_name();
   record.options = describe_odometry(choice.name, choice.values);
+  record.defaults = describe_odometry(choice.name, {});
+  record.report = with<ReportOptions>(arguments.report);
   record.map = MapBuilder(with<MapOptions>(arguments.map));
   return record;
 }
@@ -129,6 +133,7 @@ void add_input_options(CLI::App& command, RunArguments& a) {
 void add_output_options(CLI::App& command, RunArguments& a) {
   command.add_option("--out", a.out, "folder for the results; made where missing")->required();
   add_option_flags(command, describe(MapOptions{}), a.map);
+  add_option_flags(command, describe(ReportOptions{}), a.report);
   command.add_option("--truth", a.truth, "true trajectory (TUM or KITTI) to judge the run by, first poses made equal");
   command.add_flag("--quiet", a.quiet, "print errors only");
 }

@@ -43,6 +43,8 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
     {"pcap/", {"tilth/io/pcap.cpp"}},
     {"sqlite3", {"tilth/io/rosbag2.cpp"}},
     {"zstd", {"tilth/io/unpack.cpp"}},
+    {"zlib.h", {"tilth/output/packed_map.cpp"}},
+    {"httplib.h", {"apps/tilth/view.cpp"}},
     {"nlohmann/", {"tilth/output/", "apps/"}},
     {"CLI/", {"apps/"}},
     {"pcl/", {}},

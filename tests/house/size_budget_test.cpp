@@ -61,6 +61,16 @@ TEST(SizeBudget, FilesAreShort) {
   }
 }
 
+TEST(SizeBudget, FilesOfThePageAreShort) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(TILTH_SOURCE_DIR "/web/src")) {
+    if (!entry.is_regular_file()) continue;
+    EXPECT_LE(lines_of(read_text(entry.path())).size(), kFileLines) << entry.path();
+    ++count;
+  }
+  EXPECT_GT(count, 0U);
+}
+
 TEST(SizeBudget, FunctionsAreShort) {
   for (const SourceFile& file : all_files()) {
     const std::size_t most = file.path.starts_with("tilth/io/") ? kFormatFunctionLines : kFunctionLines;

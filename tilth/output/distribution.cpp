@@ -23,4 +23,13 @@ Distribution distribution_of(std::vector<double> values) {
   return {sum / double(values.size()), percentile(values, 0.5), percentile(values, 0.99), values.back()};
 }
 
+BoxFigures box_figures(const std::vector<float>& values) {
+  if (values.empty()) return {};
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  const double sum = std::accumulate(sorted.begin(), sorted.end(), 0.0);
+  return {percentile(sorted, 0.01), percentile(sorted, 0.25), percentile(sorted, 0.5),
+          percentile(sorted, 0.75), percentile(sorted, 0.99), sum / double(sorted.size())};
+}
+
 }  // namespace tilth

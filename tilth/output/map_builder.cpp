@@ -52,8 +52,9 @@ void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, double 
   const bool bright = cloud.intensities.size() == cloud.size();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d p = T_world_lidar * motion.move(cloud.points[i], timed ? double(cloud.times[i]) : pose_time);
-    insert({float(p.x()), float(p.y()), float(p.z()), bright ? cloud.intensities[i] : 0.0F});
+    insert({float(p.x()), float(p.y()), float(p.z()), bright ? cloud.intensities[i] : 0.0F, scans_});
   }
+  ++scans_;
 }
 
 void MapBuilder::insert(const MapPoint& point) {
@@ -78,11 +79,16 @@ PointRecords MapBuilder::records() const {
   for (const char* name : {"x", "y", "z", "intensity"}) {
     records.fields.push_back({name, FieldType::f32, records.fields.size() * sizeof(float)});
   }
-  records.stride = sizeof(MapPoint);
+  records.stride = records.fields.size() * sizeof(float);
   records.count = points_.size();
   records.byte_order = std::endian::native;
   records.bytes.resize(records.stride * records.count);
-  if (!points_.empty()) std::memcpy(records.bytes.data(), points_.data(), records.bytes.size());
+  std::byte* to = records.bytes.data();
+  for (const MapPoint& p : points_) {
+    const float values[] = {p.x, p.y, p.z, p.intensity};
+    std::memcpy(to, values, sizeof values);
+    to += sizeof values;
+  }
   return records;
 }
 

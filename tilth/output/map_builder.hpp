@@ -25,6 +25,12 @@ void visit(MapOptions& o, V&& v) {
     "[points] most that the map holds; past it the voxels double in size");
 }
 
+/// A point of the map, in the world frame.
+struct MapPoint {
+  float x = 0, y = 0, z = 0, intensity = 0;
+  std::uint32_t scan = 0;  ///< number of the scan that saw it, from 0 in the order of add()
+};
+
 class MapBuilder {
  public:
   explicit MapBuilder(const MapOptions& options);
@@ -35,21 +41,19 @@ class MapBuilder {
   void add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const Vector6d& velocity);
 
   std::size_t size() const { return points_.size(); }
+  const std::vector<MapPoint>& points() const { return points_; }
   double voxel() const { return voxel_; }  ///< [m] in force; larger than asked for once the bound was met
 
   /// The map in the world frame: fields x y z intensity, 32-bit float, little endian.
   PointRecords records() const;
 
  private:
-  struct MapPoint {
-    float x, y, z, intensity;
-  };
-
   void insert(const MapPoint& point);
   void rebuild(std::size_t slots);
 
   double voxel_;
   std::size_t max_points_;
+  std::uint32_t scans_ = 0;
   std::vector<MapPoint> points_;
   std::vector<std::uint64_t> slots_;  // open addressing: the key of a voxel, or zero
 };

@@ -4,7 +4,9 @@
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/trajectory_file.hpp>
+#include <tilth/output/html_report.hpp>
 #include <tilth/output/run_record.hpp>
+#include <tilth/output/run_report.hpp>
 #include <tilth/output/summary_json.hpp>
 
 namespace tilth {
@@ -22,7 +24,10 @@ const std::vector<RunFile>& files() {
       {"trajectory_kitti.txt", [](const Path& path, const RunRecord& run) { write_kitti_poses(path, run.trajectory); }},
       {"scans.csv", [](const Path& path, const RunRecord& run) { write_scan_table(path, run.scans); }},
       {"summary.json", [](const Path& path, const RunRecord& run) { write_text(path, summary_json(run)); }},
-      {"map.pcd", [](const Path& path, const RunRecord& run) { write_pcd(path, run.map.records()); }}};
+      {"map.pcd", [](const Path& path, const RunRecord& run) { write_pcd(path, run.map.records()); }},
+      {"report.html", [](const Path& path, const RunRecord& run) {
+         write_report(path.parent_path(), report_of(run, run.report.points));
+       }}};
   return all;
 }
 

@@ -20,9 +20,21 @@ struct SkippedRecord {
   std::string where, what;
 };
 
+struct ReportOptions {
+  std::uint64_t points = 2'000'000;  ///< of the map that go into report.html; evenly thinned past that
+};
+
+template <class V>
+void visit(ReportOptions& o, V&& v) {
+  v("report_points", o.points, Bounds{0, 2e7}, "[points] of the map that go into report.html at most");
+}
+
 struct RunRecord {
   std::string version, source, pipeline;
-  std::vector<OptionInfo> options;     ///< in force
+  std::string machine;               ///< in words
+  std::vector<OptionInfo> options;   ///< in force
+  std::vector<OptionInfo> defaults;  ///< of the same pipeline
+  ReportOptions report;
   std::vector<std::string> decisions;  ///< of the source, one sentence each
   std::vector<SkippedRecord> skipped;
   std::string ended;  ///< why no more scans were registered: "end of input", "interrupted" ...
@@ -37,8 +49,9 @@ struct RunRecord {
 /// The names of the files that write_run makes.
 std::vector<std::string> run_files();
 
-/// Writes trajectory.tum, trajectory_kitti.txt, map.pcd, scans.csv and summary.json into `folder`. A file that cannot
-/// be written does not keep the others from it. Returns what went wrong, one sentence a file.
+/// Writes trajectory.tum, trajectory_kitti.txt, map.pcd, scans.csv, summary.json and report.html (with plots/) into
+/// `folder`. A file that cannot be written does not keep the others from it. Returns what went wrong, one sentence a
+/// file.
 std::vector<std::string> write_run(const std::filesystem::path& folder, const RunRecord& record);
 
 }  // namespace tilth

@@ -86,6 +86,7 @@ RunFigures figures_of(const RunRecord& record) {
 std::string summary_json(const RunRecord& record) {
   const RunFigures figures = figures_of(record);
   Json summary = {{"version", record.version},
+                  {"machine", record.machine},
                   {"source", record.source},
                   {"ended", record.ended},
                   {"decisions", record.decisions},

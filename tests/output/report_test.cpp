@@ -1,0 +1,196 @@
+// The report as text: nothing that a name holds becomes markup, every number of a curve arrives, drawings are whole.
+#include <cstring>
+#include <fstream>
+#include <io/temporary_folder.hpp>
+#include <iterator>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <tilth/core/error.hpp>
+#include <tilth/output/curve_thinning.hpp>
+#include <tilth/output/html_report.hpp>
+#include <tilth/output/report_json.hpp>
+#include <tilth/output/run_report.hpp>
+#include <tilth/output/svg_canvas.hpp>
+#include <tilth/output/svg_plot.hpp>
+
+namespace tilth {
+namespace {
+
+const std::string kHostile = "</script><script>alert(1)</script>\"'><img src=x onerror=alert(2)>\n<!-- & \x01\xFF";
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A run along a bend, 0.1 s and 0.5 m a scan; the truth lies 1 cm beside it.
+RunRecord bent_run(const std::string& name) {
+  RunRecord record;
+  record.source = record.pipeline = record.machine = record.ended = name;
+  record.decisions = {name};
+  record.skipped = {{3, name, name}};
+  record.options = {{"k", "5", "-", name, ""}, {"same", "1", "-", "", ""}};
+  record.defaults = {{"k", "10", "-", name, ""}, {"same", "1", "-", "", ""}};
+  record.scans.stages = {name};
+  Trajectory truth;
+  for (int i = 0; i < 40; ++i) {
+    const double angle = 0.05 * i;
+    const Pose T = Eigen::Translation3d(10 * std::sin(angle), 10 - 10 * std::cos(angle), 0.0) *
+                   Pose(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+    record.trajectory.push_back({100 + 0.1 * i, T});
+    truth.push_back({100 + 0.1 * i, T * Eigen::Translation3d(0, i % 2 == 0 ? 0.01 : -0.01, 0)});
+    ScanRow row;
+    row.stamp = 100 + 0.1 * i;
+    row.register_ms = 5 + i % 3;
+    row.stage_ms = {1.0 + i % 2};
+    record.scans.rows.push_back(row);
+    PointCloud cloud;
+    cloud.points = {{1, 2, 0.3}, {-1, 2, 1.5}};
+    cloud.intensities = {float(i), 1};
+    record.map.add(cloud, T, 0.0, Vector6d::Zero());
+  }
+  record.evaluation = evaluate(truth, record.trajectory, {});
+  return record;
+}
+
+std::vector<float> floats_of(const std::string& base64_text) {
+  static const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned group = 0, bits = 0;
+  for (const char c : base64_text) {
+    if (c == '=') break;
+    group = group << 6U | unsigned(letters.find(c));
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes += char(group >> bits & 0xffU);
+  }
+  std::vector<float> values(bytes.size() / sizeof(float));
+  std::memcpy(values.data(), bytes.data(), values.size() * sizeof(float));
+  return values;
+}
+
+TEST(MarkupText, LeavesNothingThatIsMarkup) {
+  EXPECT_EQ(markup_text("a<b>&\"c'"), "a&lt;b&gt;&amp;&quot;c&#39;");
+  EXPECT_EQ(markup_text("Straße 点\n"), "Straße 点\n");
+  const std::string unknown = "\xEF\xBF\xBD";
+  EXPECT_EQ(markup_text("\x01"), unknown);
+  EXPECT_EQ(markup_text("\xC0\xAF"), unknown + unknown) << "overlong";
+  EXPECT_EQ(markup_text("\xED\xA0\x80x"), unknown + unknown + unknown + "x") << "surrogate";
+  EXPECT_EQ(markup_text("\xE7\x82"), unknown + unknown) << "cut off";
+}
+
+TEST(HtmlReport, HostileNamesStandInItAsText) {
+  const std::string html = html_report(report_of(bent_run(kHostile), 1000));
+  EXPECT_EQ(html.find("<script>alert"), std::string::npos);
+  EXPECT_EQ(html.find("<img"), std::string::npos);
+  EXPECT_EQ(html.find("<!-- "), std::string::npos);
+  EXPECT_NE(html.find("&lt;/script&gt;&lt;script&gt;alert(1)"), std::string::npos);
+}
+
+TEST(HtmlReport, FetchesNothing) {
+  const std::string html = html_report(report_of(bent_run("run"), 1000));
+  EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+  for (const char* outside : {"src=\"", "href=\"http", "@import", "url(http"}) {
+    EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+  }
+}
+
+TEST(HtmlReport, SaysWhatDiffersFromTheDefaults) {
+  const std::string html = html_report(report_of(bent_run("run"), 1000));
+  EXPECT_NE(html.find("<tr><td>k</td><td>5</td><td>10</td>"), std::string::npos);
+  EXPECT_EQ(html.find("<td>same</td>"), std::string::npos);
+}
+
+TEST(HtmlReport, IsWrittenForARunWithoutAScan) {
+  const std::string html = html_report(report_of(RunRecord{}, 1000));
+  EXPECT_NE(html.find("</html>"), std::string::npos);
+}
+
+TEST(ReportJson, CarriesTheCurvesAndNoMarkup) {
+  const std::string text = report_json(report_of(bent_run(kHostile), 1000));
+  EXPECT_EQ(text.find('<'), std::string::npos);
+  const nlohmann::json json = nlohmann::json::parse(text);
+  const nlohmann::json& speed = json["plots"]["speed"]["curves"][0];
+  const std::vector<float> times = floats_of(json["arrays"][speed["x"].get<std::size_t>()]);
+  const std::vector<float> speeds = floats_of(json["arrays"][speed["y"].get<std::size_t>()]);
+  ASSERT_EQ(speeds.size(), 40U);
+  EXPECT_NEAR(times[7], 0.7F, 1e-5F);
+  EXPECT_NEAR(speeds[7], 5.0F, 0.01F);
+  const nlohmann::json& ape = json["plots"]["ape"];
+  EXPECT_EQ(ape["x"], nlohmann::json({{"label", "time"}, {"unit", "s"}}));
+  EXPECT_EQ(ape["marks"].size(), 3U);
+  EXPECT_EQ(json["map"]["paths"][1]["truth"], true);
+}
+
+TEST(ReportJson, TheTruthLiesWhereTheMapIs) {
+  RunRecord record = bent_run("run");
+  const Pose elsewhere = Eigen::Translation3d(100, -50, 3) * Pose(Eigen::AngleAxisd(2.0, Eigen::Vector3d::UnitZ()));
+  Trajectory truth = record.trajectory;
+  for (StampedPose& pose : truth) pose.T_world_lidar = elsewhere * pose.T_world_lidar;
+  EvaluationOptions options;
+  options.align = Alignment::origin;
+  record.evaluation = evaluate(truth, record.trajectory, options);
+  const Report report = report_of(record, 1000);
+  ASSERT_EQ(report.map->paths.size(), 2U);
+  for (std::size_t i = 0; i < record.trajectory.size(); ++i) {
+    EXPECT_TRUE(report.map->paths[1].poses[i].T_world_lidar.isApprox(record.trajectory[i].T_world_lidar, 1e-6)) << i;
+  }
+}
+
+TEST(SvgPlot, DrawsEveryKind) {
+  for (const PlotKind kind : {PlotKind::lines, PlotKind::path, PlotKind::boxes, PlotKind::bars, PlotKind::histogram}) {
+    Plot plot;
+    plot.kind = kind;
+    plot.title = kHostile;
+    plot.categories = {kHostile, "b"};
+    plot.curves = {{kHostile, {0, 1, 2}, {1, 2}, {}}, {"b", {0, 1, 2}, {3, 4}, {}}};
+    if (kind == PlotKind::lines || kind == PlotKind::path) plot.curves[0].y = plot.curves[1].y = {1, 2, 4};
+    const std::string svg = svg_file(plot);
+    EXPECT_EQ(svg.find("<script"), std::string::npos);
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_NE(svg.find("s1"), std::string::npos) << int(kind);
+    EXPECT_TRUE(svg.ends_with("</svg>\n"));
+  }
+}
+
+TEST(SvgPlot, BearsCurvesWithoutAPointAndWithOneValue) {
+  Plot plot;
+  plot.curves = {{"empty", {}, {}, {}}};
+  EXPECT_EQ(svg_file(plot).find("nan"), std::string::npos);
+  plot.curves = {{"flat", {1, 1}, {0, 0}, {}}};
+  for (const PlotKind kind : {PlotKind::lines, PlotKind::path}) {
+    plot.kind = kind;
+    const std::string svg = svg_file(plot);
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+  }
+}
+
+TEST(Thinned, KeepsPeaksAndEnds) {
+  Curve curve{"c", {}, {}, {}};
+  for (int i = 0; i < 10000; ++i) {
+    curve.x.push_back(float(i));
+    curve.y.push_back(i == 4321 ? 50.0F : float(i % 2));
+  }
+  const Curve thin = thinned(curve, 100, PlotKind::lines);
+  EXPECT_LE(thin.y.size(), 100U);
+  EXPECT_EQ(thin.x.size(), thin.y.size());
+  EXPECT_EQ(thin.x.back(), 9999.0F);
+  EXPECT_EQ(*std::max_element(thin.y.begin(), thin.y.end()), 50.0F);
+  EXPECT_TRUE(std::is_sorted(thin.x.begin(), thin.x.end()));
+}
+
+TEST(WriteReport, WritesThePlotsToo) {
+  const TemporaryFolder folder;
+  write_report(folder / "", report_of(bent_run("run"), 1000));
+  EXPECT_TRUE(text_of(folder / "report.html").ends_with("</html>\n"));
+  EXPECT_NE(text_of(folder / "plots" / "ape.svg").find("RMSE"), std::string::npos);
+  write_report(folder / "", report_of(RunRecord{}, 1000));
+  EXPECT_FALSE(std::filesystem::exists(folder / "plots" / "ape.svg")) << "a run without truth has no errors";
+}
+
+}  // namespace
+}  // namespace tilth

@@ -1,0 +1,77 @@
+// A report as a value: figures, tables and plots that say what they show, whoever draws them. The same Plot becomes an
+// SVG file for papers (svg_plot.hpp) and a curve of report.html that answers the mouse (html_report.hpp).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tilth/output/map_view.hpp>
+
+namespace tilth {
+
+/// What is counted along an axis; the unit is empty for numbers of things.
+struct Axis {
+  std::string label, unit;
+};
+
+/// Lines: y over x. Path: a way in the plane, both axes to one scale. Boxes: one box for the values y of each curve.
+/// Bars: for each curve one bar y[i] over categories[i]. Histogram: y[i] things between x[i] and x[i + 1].
+enum class PlotKind { lines, path, boxes, bars, histogram };
+
+struct Curve {
+  std::string name;
+  std::vector<float> x, y;   ///< x is empty for boxes and bars
+  std::vector<float> shade;  ///< of a path: the value that colours it at each point; else empty
+};
+
+/// A horizontal line across a plot.
+struct Mark {
+  std::string name;
+  double value = 0.0;
+};
+
+/// A horizontal strip of a plot.
+struct Band {
+  std::string name;
+  double low = 0.0, high = 0.0;
+};
+
+struct Plot {
+  std::string id;           ///< of lower case letters, digits and '_': the name of its file
+  std::string title, note;  ///< the note says how to read it; may be empty
+  PlotKind kind = PlotKind::lines;
+  Axis x, y, shade;
+  bool over_time = false;               ///< x is the time since the first pose: the slider of the map moves along it
+  std::vector<std::string> categories;  ///< of bars
+  std::vector<Curve> curves;
+  std::vector<Mark> marks;
+  std::optional<Band> band;
+};
+
+/// The first column names the rows; the others hold numbers where `numeric`.
+struct Table {
+  std::string title;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> rows;
+  bool numeric = true;
+};
+
+struct Section {
+  std::string id, heading, note;
+  std::vector<Table> tables;
+  std::vector<Plot> plots;
+};
+
+struct Fact {
+  std::string name, value;
+};
+
+struct Report {
+  std::string title, subtitle;
+  std::vector<Fact> facts;  ///< the few figures at the top
+  std::optional<MapView> map;
+  std::vector<Section> sections;
+};
+
+}  // namespace tilth

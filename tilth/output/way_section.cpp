@@ -1,0 +1,55 @@
+#include <tilth/output/motion_curves.hpp>
+#include <tilth/output/run_sections.hpp>
+
+namespace tilth {
+namespace {
+
+const Axis kTime{"time", "s"};
+
+Plot over_time(std::string id, std::string title, Axis y, std::vector<Curve> curves) {
+  Plot plot;
+  plot.id = std::move(id);
+  plot.title = std::move(title);
+  plot.x = kTime;
+  plot.y = std::move(y);
+  plot.over_time = true;
+  plot.curves = std::move(curves);
+  return plot;
+}
+
+}  // namespace
+
+Section way_section(const RunRecord& record, const std::optional<JudgedRun>& judged) {
+  const double start = record.trajectory.empty() ? 0.0 : record.trajectory.front().stamp;
+  std::vector<std::pair<std::string, const Trajectory*>> ways{{record.pipeline, &record.trajectory}};
+  if (judged) ways.emplace_back("truth", &judged->truth_in_world);
+  std::vector<Curve> above, roll, pitch, yaw, speed, height;
+  for (const auto& [name, way] : ways) {
+    above.push_back(way_curve(*way, name));
+    AngleCurves angles = angle_curves(*way, start, name);
+    roll.push_back(std::move(angles.roll));
+    pitch.push_back(std::move(angles.pitch));
+    yaw.push_back(std::move(angles.yaw));
+    speed.push_back(speed_curve(*way, start, name));
+    height.push_back(height_curve(*way, start, name));
+  }
+  Section section{"way", "The way", "", {}, {}};
+  Plot top;
+  top.id = "top_view";
+  top.title = "Trajectory from above";
+  top.note = "The dot marks the start. The world is the LiDAR at its first pose: x ahead, y to the left.";
+  top.kind = PlotKind::path;
+  top.x = {"x", "m"};
+  top.y = {"y", "m"};
+  top.curves = std::move(above);
+  section.plots.push_back(std::move(top));
+  section.plots.push_back(over_time("speed", "Speed", {"speed", "m/s"}, std::move(speed)));
+  section.plots.back().note = "Distance of the pose before and the pose after, divided by the time between.";
+  section.plots.push_back(over_time("roll", "Roll", {"roll", "deg"}, std::move(roll)));
+  section.plots.push_back(over_time("pitch", "Pitch", {"pitch", "deg"}, std::move(pitch)));
+  section.plots.push_back(over_time("yaw", "Yaw", {"yaw", "deg"}, std::move(yaw)));
+  section.plots.push_back(over_time("height", "Height", {"z", "m"}, std::move(height)));
+  return section;
+}
+
+}  // namespace tilth

@@ -1,0 +1,63 @@
+// Makes the page answer: the 3D view of the map, and the plots that stand in it as drawings.
+import "uplot/dist/uPlot.min.css";
+import { readReport } from "./data.js";
+import { MapView } from "./map/view.js";
+import { drawnPlot } from "./plots/drawn.js";
+import { linePlot } from "./plots/lines.js";
+import { onThemeChange } from "./theme.js";
+import { Timeline } from "./timeline.js";
+
+const kMargin = "400px"; // plots are made live this far before they come into view
+
+function duration(report) {
+  const times = report.map?.paths[0]?.t;
+  return times?.length ? times[times.length - 1] : 0;
+}
+
+/** Replaces the drawing of a figure by a live plot, and again when the colours change. */
+function enliven(figure, plot, report, timeline) {
+  const drawing = figure.querySelector(".drawing");
+  const make = plot.kind === "lines" ? linePlot : drawnPlot;
+  const show = () => {
+    figure.live?.remove();
+    figure.live = make(plot, { timeline, report, width: figure.clientWidth });
+    drawing.replaceChildren(figure.live.element);
+    figure.dataset.live = "yes";
+  };
+  show();
+  onThemeChange(show);
+  let width = figure.clientWidth;
+  new ResizeObserver(() => {
+    if (figure.clientWidth === width || figure.clientWidth === 0) return;
+    width = figure.clientWidth;
+    if (figure.live.resize) figure.live.resize(width);
+    else show();
+  }).observe(figure);
+}
+
+function watchPlots(report, timeline) {
+  const near = new IntersectionObserver(
+    (entries) => {
+      for (const entry of entries) {
+        if (!entry.isIntersecting) continue;
+        near.unobserve(entry.target);
+        enliven(entry.target, report.plots[entry.target.dataset.plot], report, timeline);
+      }
+    },
+    { rootMargin: kMargin },
+  );
+  for (const figure of document.querySelectorAll("figure[data-plot]")) {
+    if (report.plots[figure.dataset.plot]) near.observe(figure);
+  }
+}
+
+async function main() {
+  const report = readReport();
+  const timeline = new Timeline(duration(report));
+  watchPlots(report, timeline);
+  const place = document.getElementById("map");
+  if (place && report.map) await MapView.open(place, report.map, timeline);
+  document.documentElement.dataset.ready = "yes";
+}
+
+main();

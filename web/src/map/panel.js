@@ -1,0 +1,78 @@
+// What stands round the 3D view: choices above it, the slider and the player below, the scale of the colours.
+import { element, numberText, quantityText } from "../words.js";
+import { Player } from "./player.js";
+import { gradient, modes } from "./ramps.js";
+
+const kHint = "drag: turn · right drag: move · wheel: zoom";
+
+function modeChoice(view) {
+  const choice = element("select", { title: "What the colours mean" });
+  for (const mode of modes) choice.append(element("option", { text: `colour: ${mode}`, value: mode }));
+  choice.addEventListener("change", () => view.colorBy(choice.value));
+  return choice;
+}
+
+function toggle(view, part, name) {
+  const box = element("input", { type: "checkbox", checked: true });
+  box.addEventListener("change", () => view.toggle(part, box.checked));
+  return element("label", {}, box, name);
+}
+
+function button(text, act) {
+  const made = element("button", { text, type: "button" });
+  made.addEventListener("click", act);
+  return made;
+}
+
+export class Panel {
+  constructor(place, map, view) {
+    this.map = map;
+    this.canvas = element("canvas", { tabIndex: 0 });
+    this.legend = element("div", { className: "ramp" });
+    this.stage = element("div", { className: "stage" }, this.canvas, this.legend, element("div", { className: "hint", text: kHint }));
+    this.readout = element("output", { className: "readout" });
+    const player = new Player(view.timeline);
+    place.replaceChildren(
+      element("div", { className: "bar" }, ...this.choices(view)),
+      this.stage,
+      element("div", { className: "bar" }, ...player.elements, this.readout),
+    );
+  }
+
+  choices(view) {
+    const toggles = [toggle(view, "ways", "trajectory")];
+    if (this.map.paths.some((path) => path.truth)) toggles.push(toggle(view, "truths", "truth"));
+    if (this.map.keyframes.length) toggles.push(toggle(view, "keyframes", "keyframes"));
+    if (this.map.closures.length) toggles.push(toggle(view, "closures", "loop closures"));
+    toggles.push(toggle(view, "grid", "grid"));
+    const shown = element("span", { className: "count", text: this.countText() });
+    return [modeChoice(view), ...toggles, button("oblique", () => view.look("oblique")), button("from above", () => view.look("top")), shown];
+  }
+
+  countText() {
+    const { count, total } = this.map;
+    const all = `${total.toLocaleString("en")} points`;
+    return count < total ? `${count.toLocaleString("en")} of ${all}` : all;
+  }
+
+  /** The scale of the colours. */
+  explain(mode, heights) {
+    const last = this.map.paths[0].t.at(-1) ?? 0;
+    const ends = {
+      height: [`${numberText(heights[0])} m`, `${numberText(heights[1])} m`],
+      intensity: ["0", quantityText(this.map.max_intensity, { unit: "" })],
+      time: ["0 s", `${numberText(last)} s`],
+      scan: ["one colour", "a scan"],
+    }[mode];
+    const strip = element("i");
+    strip.style.background = gradient(mode);
+    this.legend.replaceChildren(element("b", { text: mode }), element("span", { text: ends[0] }), strip, element("span", { text: ends[1] }));
+  }
+
+  /** Says where the robot is at `time`: pose number `i`. */
+  say(time, i) {
+    const { x, y, z } = this.map.paths[0];
+    const at = [x, y, z].map((axis) => axis[i].toFixed(2).replace("-", "−"));
+    this.readout.textContent = `${time.toFixed(1)} s   x ${at[0]}   y ${at[1]}   z ${at[2]} m`;
+  }
+}

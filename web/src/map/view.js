@@ -1,0 +1,148 @@
+// The 3D view: the map over its grid, the ways, the robot at the moment that the timeline shows; turned and zoomed with
+// the mouse. It draws only when something changed.
+import * as THREE from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { color, onThemeChange } from "../theme.js";
+import { makeGrid } from "./grid.js";
+import { Pace } from "./pace.js";
+import { Panel } from "./panel.js";
+import { closureLines, keyframeDots, Robot, Way } from "./paths.js";
+import { MapPoints } from "./points.js";
+import { modes, rampTexture } from "./ramps.js";
+
+const kFieldOfView = 45; // [deg]
+const kPointSize = 0.07; // [m] that a point covers
+
+function boxOf(map, points) {
+  const box = new THREE.Box3();
+  for (const path of map.paths) {
+    for (let i = 0; i < path.t.length; ++i) box.expandByPoint(new THREE.Vector3(path.x[i], path.y[i], path.z[i]));
+  }
+  if (!points.count) return box.isEmpty() ? new THREE.Box3(new THREE.Vector3(-1, -1, 0), new THREE.Vector3(1, 1, 1)) : box;
+  const p = points.object.geometry.attributes.position;
+  const stride = Math.max(1, Math.floor(points.count / 20000));
+  const sides = [[], [], []];
+  for (let i = 0; i < points.count; i += stride) [p.getX(i), p.getY(i), p.getZ(i)].forEach((v, axis) => sides[axis].push(v));
+  const at = (values, share) => values[Math.floor(share * (values.length - 1))];
+  sides.forEach((values) => values.sort((a, b) => a - b));
+  const corner = (share) => new THREE.Vector3(...sides.map((v, a) => map.origin[a] + map.step * at(v, share)));
+  return box.expandByPoint(corner(0.005)).expandByPoint(corner(0.995));
+}
+
+export class MapView {
+  static async open(place, map, timeline) {
+    const points = await MapPoints.open(map);
+    return new MapView(place, map, points, timeline);
+  }
+
+  constructor(place, map, points, timeline) {
+    Object.assign(this, { map, points, timeline });
+    this.panel = new Panel(place, map, this);
+    this.box = boxOf(map, points);
+    this.renderer = new THREE.WebGLRenderer({ antialias: true, canvas: this.panel.canvas });
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // colours stand as they are given
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(kFieldOfView, 1, 0.05, 10000);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, this.panel.canvas);
+    this.controls.zoomToCursor = true;
+    this.controls.screenSpacePanning = false;
+    this.pace = new Pace(points, () => this.render());
+    this.fill();
+    this.restyle();
+    this.look("oblique");
+    this.listen();
+    this.show(timeline.time);
+  }
+
+  fill() {
+    const [estimate, ...others] = this.map.paths;
+    const size = this.box.getSize(new THREE.Vector3());
+    this.ways = new THREE.Group();
+    this.truths = new THREE.Group();
+    this.main = new Way(estimate, 3);
+    this.others = others.map((path) => new Way(path, 2));
+    this.ways.add(this.main.object);
+    this.others.forEach((way) => (way.path.truth ? this.truths : this.ways).add(way.object));
+    this.robot = new Robot(estimate, Math.max(0.4, 0.018 * Math.max(size.x, size.y)));
+    this.keyframes = keyframeDots(estimate, this.map.keyframes);
+    this.closures = closureLines(estimate, this.map.closures);
+    this.grid = new THREE.Group();
+    this.scene.add(this.points.object, this.ways, this.truths, this.robot.object, this.keyframes, this.closures, this.grid);
+    this.robot.object.visible = estimate.t.length > 0;
+    this.colorBy("height");
+  }
+
+  listen() {
+    this.controls.addEventListener("change", () => this.pace.moving());
+    this.timeline.onTime((time) => this.show(time));
+    onThemeChange(() => this.restyle());
+    new ResizeObserver(() => this.resize()).observe(this.panel.stage);
+    this.resize();
+  }
+
+  /** Takes on the colours of the page. */
+  restyle() {
+    this.scene.background = new THREE.Color().setStyle(color("scene"), THREE.LinearSRGBColorSpace);
+    const plain = (name) => new THREE.Color().setStyle(color(name), THREE.LinearSRGBColorSpace);
+    this.grid.clear();
+    this.grid.add(makeGrid(this.box, plain("scene-grid"), color("faint")));
+    this.main.setColor(plain("way"));
+    this.others.forEach((way, i) => way.setColor(plain(way.path.truth ? "truth" : `s${(i + 1) % 8}`)));
+    this.robot.setColor(plain("way"));
+    this.keyframes.material.color.copy(plain("keyframe"));
+    this.closures.material.color.copy(plain("closure"));
+    this.pace.still();
+  }
+
+  colorBy(mode) {
+    this.points.colorBy(modes.indexOf(mode), rampTexture(mode));
+    this.panel.explain(mode, this.points.heights);
+    this.pace.still();
+  }
+
+  toggle(part, visible) {
+    this[part].visible = visible;
+    this.pace.still();
+  }
+
+  /** Looks at the whole map: "oblique" or from the "top". */
+  look(from) {
+    const center = this.box.getCenter(new THREE.Vector3());
+    const size = this.box.getSize(new THREE.Vector3());
+    const wide = size.x >= size.y;
+    const [along, across] = wide ? [size.x, size.y] : [size.y, size.x];
+    const tangent = Math.tan((kFieldOfView * Math.PI) / 360);
+    const distance = (1.12 * Math.max(along / Math.max(this.camera.aspect, 0.5), across, size.z)) / (2 * tangent) + (from === "top" ? size.z / 2 : across / 4);
+    const back = wide ? new THREE.Vector3(0, -1, 0) : new THREE.Vector3(1, 0, 0);
+    const direction = from === "top" ? back.multiplyScalar(0.001).setZ(1) : back.setZ(0.95);
+    this.camera.position.copy(center).addScaledVector(direction.normalize(), distance);
+    this.controls.target.copy(center);
+    this.controls.update();
+    this.pace.still();
+  }
+
+  show(time) {
+    const share = this.timeline.duration ? time / this.timeline.duration : 1;
+    this.points.showUntil(share);
+    for (const way of [this.main, ...this.others]) way.showUntil(time);
+    if (this.map.paths[0].t.length) this.panel.say(time, this.robot.moveTo(time));
+    this.pace.moving();
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.panel.stage;
+    if (!width || !height) return;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    const pixels = (height * this.renderer.getPixelRatio()) / (2 * Math.tan((kFieldOfView * Math.PI) / 360));
+    this.points.setSize(kPointSize * pixels);
+    this.pace.still();
+  }
+
+  render() {
+    this.renderer.render(this.scene, this.camera);
+  }
+}
