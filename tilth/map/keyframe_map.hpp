@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <tilth/core/feature_clouds.hpp>
 #include <tilth/core/options.hpp>
-#include <tilth/core/point_cloud.hpp>
 #include <tilth/core/se3.hpp>
 
 namespace tilth {
@@ -28,11 +28,6 @@ void visit(KeyframeMapOptions& o, V&& v) {
     "[-] as LeGO-LOAM: a cell gives the keyframe whose number is the mean of its keyframes' numbers, which after a "
     "revisit lies somewhere else on the way; false: the keyframe nearest to their mean position");
 }
-
-/// The features of a scan, or of a map, as registration asks for them.
-struct FeatureClouds {
-  PointCloud edges, planes;
-};
 
 class KeyframeMap {
  public:

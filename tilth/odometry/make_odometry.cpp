@@ -1,5 +1,6 @@
 #include <functional>
 
+#include <tilth/odometry/floam.hpp>
 #include <tilth/odometry/improved_floam.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/odometry/tilth_odometry.hpp>
@@ -26,6 +27,7 @@ const std::vector<Pipeline>& all() {
           "tilth", "patches of surface, a map by the way they face, pose and velocity estimated together"),
       pipeline<ImprovedFloam, ImprovedFloamOptions>("improved_floam",
                                                     "FLOAM with statistical outlier removal and GICP (Fu et al. 2026)"),
+      pipeline<Floam, FloamOptions>("floam", "FLOAM (Wang et al. 2021), as its authors set it for 16 beams"),
   };
   return pipelines;
 }
