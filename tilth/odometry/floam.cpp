@@ -40,7 +40,7 @@ OdometryResult Floam::register_scan(const Scan& scan) {
 
 AlignResult Floam::register_features(const FeatureClouds& features, const Pose& T_start) const {
   const SearchableCloud &edges = edge_map_.cloud(), &planes = plane_map_.cloud();
-  AlignResult result{.T_target_source = T_start};
+  AlignResult result = unmatched(T_start);
   if (edges.size() > kLeastMapEdges && planes.size() > kLeastMapPlanes) {
     AlignOptions schedule = options_.align;
     schedule.max_iterations = std::max(schedule.max_iterations, options_.first_iterations - motion_.updates());

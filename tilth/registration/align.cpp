@@ -64,4 +64,10 @@ void diagnose(const LinearSystem& system, double degeneracy_ratio, AlignResult& 
   result.covariance = variance * (scale.asDiagonal() * scaled * scale.asDiagonal());
 }
 
+AlignResult unmatched(const Pose& T) {
+  AlignResult result{.T_target_source = T};
+  diagnose(LinearSystem(), AlignOptions().degeneracy_ratio, result);
+  return result;
+}
+
 }  // namespace tilth

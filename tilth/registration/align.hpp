@@ -86,6 +86,9 @@ StepOutcome step_align(const AlignOptions& options, AlignState& state, AlignResu
 /// Fills information, covariance and degenerate directions from the last system.
 void diagnose(const LinearSystem& system, double degeneracy_ratio, AlignResult& result);
 
+/// Where there is nothing to match with: T stands, not converged, and nothing is known of it.
+AlignResult unmatched(const Pose& T);
+
 /// Moves T_init until the pairs of all `associate(T) -> vector of Residual` agree. The pairs, and whatever they derive
 /// from T, are made anew in every iteration. Directions of too little information (Zhang, Kaess and Singh 2016) stay at
 /// T_init if options.min_information says so. Too few pairs: T_init comes back, not converged.
