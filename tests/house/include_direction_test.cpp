@@ -18,7 +18,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
     {"io", {"core"}},
     {"evaluation", {"core"}},
     {"preprocess", {"core", "search"}},
-    {"features", {"core", "sensor/lidar_model.hpp"}},
+    {"features", {"core", "search", "sensor/lidar_model.hpp"}},
     {"registration", {"core", "search"}},
     {"map", {"core", "search"}},
     {"simulation", {"core", "sensor/lidar_model.hpp"}},

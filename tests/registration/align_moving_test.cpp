@@ -23,11 +23,12 @@ struct Place {
   struct Plane {
     Eigen::Vector3d mean, normal;
     Eigen::Matrix3d covariance;
+    double variance;
   };
   std::vector<Plane> planes;
 
   void add(const Eigen::Vector3d& mean, const Eigen::Vector3d& normal) {
-    planes.push_back({mean, normal, thin(normal, 1.0, 1e-4)});
+    planes.push_back({mean, normal, thin(normal, 1.0, 1e-4), 1e-4});
   }
   const Plane* operator()(const Eigen::Vector3d&, const Eigen::Vector3d& normal, bool) const {
     const auto faces_less = [&](const Plane& a, const Plane& b) { return a.normal.dot(normal) < b.normal.dot(normal); };
@@ -207,15 +208,23 @@ TEST(AlignMoving, WorksWithoutTimes) {
 
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 
-/// 1/2 the squared residual of a pair in units of its variance, its patch moved by `x` from `state`.
-double half_square(const PatchPair& pair, const MotionState& state, const Vector12d& x) {
+/// A pair as the numeric derivative sees it: where its point is in the map, and the information of its offset there.
+struct SeenPair {
+  Eigen::Vector3d mean, offset;  // of the patch in the LiDAR's frame when it was seen; from the surface, in the map
+  double lever;
+  Eigen::Matrix3d information;
+};
+
+Eigen::Vector3d point_in_map(const SeenPair& pair, const MotionState& state, const Vector12d& x) {
   const Vector6d velocity = state.velocity + x.tail<6>();
-  const Pose T = state.T_map_lidar * exp(x.head<6>());
-  const Eigen::Vector3d then = exp(velocity * (double(pair.patch->time) - state.middle)) * pair.patch->mean;
-  const Eigen::Vector3d offset = pair.offset_in_map + T * then - state.T_map_lidar * pair.point_in_lidar;
-  const Eigen::Vector3d& n = pair.normal_in_map;
-  if (!pair.patch->flat) return 0.5 * offset.dot(pair.joint.inverse() * offset);
-  return 0.5 * std::pow(n.dot(offset), 2) / n.dot(pair.joint * n);
+  return state.T_map_lidar * exp(x.head<6>()) * (exp(velocity * pair.lever) * pair.mean);
+}
+
+/// 1/2 the squared residual of a pair in units of its variance, its patch moved by `x` from `state`.
+double half_square(const SeenPair& pair, const MotionState& state, const Vector12d& x) {
+  const Eigen::Vector3d offset =
+      pair.offset + point_in_map(pair, state, x) - point_in_map(pair, state, Vector12d::Zero());
+  return 0.5 * offset.dot(pair.information * offset);
 }
 
 // Where the pairs alone speak, a step is -H^-1 g: g the gradient of the robust cost, H = J^T W J, both by differences.
@@ -224,20 +233,29 @@ TEST(AlignMoving, AStepIsGaussNewtonsOnTheRobustCost) {
   free.velocity_slack = 1e9;  // the prior says nothing
   const double width = 3;
   const MotionState state{kTruth, Vector6d::Zero(), kMiddle};  // the derivative by the velocity is exact at rest
-  SurfacePatches patches = seen(room(), kTruth, Vector6d::Zero(), 120);
+  const SurfacePatches patches = seen(room(), kTruth, Vector6d::Zero(), 120);
   std::mt19937 rng(2);
   std::normal_distribution<double> noise(0, 0.03);
-  std::vector<PatchPair> pairs;
+  PatchPairs pairs;
+  std::vector<SeenPair> seen_pairs;
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    patches[i].flat = i % 3 != 0;
-    const Eigen::Vector3d normal = kTruth.linear() * patches[i].normal;
+    const SurfacePatch& patch = patches[i];
+    const double lever = double(patch.time) - kMiddle;
     const double a = noise(rng), b = noise(rng), c = noise(rng);
-    pairs.push_back({&patches[i], patches[i].mean, {a, b, c}, thin(normal, 1e-2, 4e-4), normal});
+    const Eigen::Vector3d offset(a, b, c), n = kTruth.linear() * patch.normal;
+    const Eigen::Matrix3d joint = thin(n, 1e-2, 4e-4);
+    if (i % 3 == 0) {
+      pairs.shapes.push_back({patch.mean, offset, joint, lever});
+      seen_pairs.push_back({patch.mean, offset, lever, joint.inverse()});
+    } else {
+      pairs.flat.push_back({patch.mean, patch.normal, n.dot(offset), 1 / 4e-4, lever});
+      seen_pairs.push_back({patch.mean, offset, lever, n * n.transpose() / 4e-4});
+    }
   }
   Vector12d gradient = Vector12d::Zero();
   Eigen::Matrix<double, 12, 12> H = Eigen::Matrix<double, 12, 12>::Zero();
   const double h = 1e-4;
-  for (const PatchPair& pair : pairs) {
+  for (const SeenPair& pair : seen_pairs) {
     Vector12d g;
     const auto cost = [&](const Vector12d& x) { return half_square(pair, state, x); };
     for (int i = 0; i < 12; ++i) g[i] = (cost(h * Vector12d::Unit(i)) - cost(-h * Vector12d::Unit(i))) / (2 * h);
@@ -247,17 +265,10 @@ TEST(AlignMoving, AStepIsGaussNewtonsOnTheRobustCost) {
     gradient += weight * g;
     Eigen::Matrix<double, 3, 12> J;  // of the point in the map
     for (int i = 0; i < 12; ++i) {
-      const auto point = [&](double step) {
-        const Vector12d x = step * Vector12d::Unit(i);
-        return Eigen::Vector3d(state.T_map_lidar * exp(x.head<6>()) *
-                               (exp(x.tail<6>() * (double(pair.patch->time) - kMiddle)) * pair.patch->mean));
-      };
+      const auto point = [&](double step) { return point_in_map(pair, state, step * Vector12d::Unit(i)); };
       J.col(i) = (point(h) - point(-h)) / (2 * h);
     }
-    const Eigen::Vector3d& n = pair.normal_in_map;
-    Eigen::Matrix3d information = pair.joint.inverse();
-    if (pair.patch->flat) information = n * n.transpose() / n.dot(pair.joint * n);
-    H += weight * J.transpose() * information * J;
+    H += weight * J.transpose() * pair.information * J;
   }
   const Vector12d expected = -H.ldlt().solve(gradient);
 

@@ -92,6 +92,7 @@ struct Gaussian {
   Eigen::Vector3d mean;
   Eigen::Matrix3d covariance;
   Eigen::Vector3d normal = Eigen::Vector3d::UnitX();
+  double variance = covariance(0, 0);
 };
 
 TEST(Association, PreCheckRefusesFarAndMissingTargets) {

@@ -7,10 +7,34 @@ namespace {
 
 template <class T>
 std::vector<T> pick(const std::vector<T>& values, std::span<const std::uint32_t> indices) {
+  if (values.empty()) return {};
+  std::vector<T> picked(indices.size());
+  for (std::size_t i = 0; i < indices.size(); ++i) picked[i] = values[indices[i]];
+  return picked;
+}
+
+struct Run {
+  std::ptrdiff_t begin, end;
+};
+
+std::vector<Run> kept_runs(std::span<const std::uint8_t> keep) {
+  std::vector<Run> runs;
+  const auto is_kept = [](std::uint8_t k) { return k != 0; };
+  for (auto begin = keep.begin(); begin != keep.end();) {
+    begin = std::find_if(begin, keep.end(), is_kept);
+    const auto end = std::find(begin, keep.end(), std::uint8_t{0});
+    if (begin != end) runs.push_back({begin - keep.begin(), end - keep.begin()});
+    begin = end;
+  }
+  return runs;
+}
+
+template <class T>
+std::vector<T> pick(const std::vector<T>& values, std::span<const Run> runs) {
   std::vector<T> picked;
   if (values.empty()) return picked;
-  picked.reserve(indices.size());
-  for (const std::uint32_t i : indices) picked.push_back(values[i]);
+  picked.reserve(values.size());
+  for (const Run& run : runs) picked.insert(picked.end(), values.begin() + run.begin, values.begin() + run.end);
   return picked;
 }
 
@@ -31,12 +55,8 @@ PointCloud select(const PointCloud& cloud, std::span<const std::uint32_t> indice
 }
 
 PointCloud select_kept(const PointCloud& cloud, std::span<const std::uint8_t> keep) {
-  std::vector<std::uint32_t> indices;
-  indices.reserve(cloud.size());
-  for (std::uint32_t i = 0; i < keep.size(); ++i) {
-    if (keep[i] != 0) indices.push_back(i);
-  }
-  return select(cloud, indices);
+  const std::vector<Run> runs = kept_runs(keep);
+  return {pick(cloud.points, runs), pick(cloud.intensities, runs), pick(cloud.times, runs), pick(cloud.rings, runs)};
 }
 
 double duration(const PointCloud& cloud) {

@@ -15,24 +15,32 @@ class ScanMotion {
   /// `reference_time` is the instant that all points are to be seen from; times run from 0 to about `duration`.
   ScanMotion(const Vector6d& velocity, double reference_time, double duration)
       : angular_(velocity.head<3>()), linear_(velocity.tail<3>()), step_(std::max(duration, 1e-9) / kKnots) {
-    for (std::size_t i = 0; i < T_reference_knot_.size(); ++i)
-      T_reference_knot_[i] = exp(velocity * (step_ * double(i) - reference_time));
+    for (std::size_t i = 0; i < R_reference_knot_.size(); ++i) {
+      const Pose T = exp(velocity * (step_ * double(i) - reference_time));
+      R_reference_knot_[i] = T.linear();
+      t_reference_knot_[i] = T.translation();
+    }
   }
 
   /// Where the LiDAR was at `time`, seen from where it was at the reference time.
   Pose at(double time) const {
     const std::size_t i = knot(time);
     const double rest = time - step_ * double(i);
-    Pose T_reference_time = T_reference_knot_[i];
-    T_reference_time.translation() += rest * (T_reference_time.linear() * linear_);
-    T_reference_time.linear() += rest * (T_reference_knot_[i].linear() * skew(angular_));
+    const Eigen::Matrix3d& R = R_reference_knot_[i];
+    Pose T_reference_time = Pose::Identity();
+    T_reference_time.translation() = t_reference_knot_[i] + rest * (R * linear_);
+    T_reference_time.linear() = R + rest * (R * skew(angular_));
     return T_reference_time;
   }
+
+  /// The rotation of at(time), to half a knot: within 0.07 degrees at 90 degrees a second.
+  const Eigen::Matrix3d& rotation(double time) const { return R_reference_knot_[knot(time)]; }
 
   /// at(time) * p.
   Eigen::Vector3d move(const Eigen::Vector3d& p, double time) const {
     const std::size_t i = knot(time);
-    return T_reference_knot_[i] * (p + (time - step_ * double(i)) * (angular_.cross(p) + linear_));
+    return R_reference_knot_[i] * (p + (time - step_ * double(i)) * (angular_.cross(p) + linear_)) +
+           t_reference_knot_[i];
   }
 
  private:
@@ -45,7 +53,8 @@ class ScanMotion {
 
   Eigen::Vector3d angular_, linear_;
   double step_;
-  std::array<Pose, kKnots + 1> T_reference_knot_;
+  std::array<Eigen::Matrix3d, kKnots + 1> R_reference_knot_;
+  std::array<Eigen::Vector3d, kKnots + 1> t_reference_knot_;
 };
 
 }  // namespace tilth

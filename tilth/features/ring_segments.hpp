@@ -1,14 +1,16 @@
 // Every ring of a scan cut into short runs of neighbouring points, with their moments: at a step in depth, and where a
-// run has its length. O(n) where each ring's points come in the order of their firing, either way round.
+// run has its length. O(n).
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include <tilth/core/options.hpp>
 #include <tilth/core/point_cloud.hpp>
+#include <tilth/search/ring_layout.hpp>
 
 namespace tilth {
 
@@ -30,14 +32,16 @@ void visit(SegmentOptions& o, V&& v) {
 struct RingSegment {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();     ///< [m]
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();  ///< sum of (p - mean)(p - mean)^T
-  float azimuth = 0.0f;                               ///< [rad] of its middle
-  float width = 0.0f;                                 ///< [rad]
+  float azimuth = 0.0f;                               ///< [rad] of its mean, 0 .. 2 pi
+  float width = 0.0f;                                 ///< [rad] nearly
   float time = 0.0f;                                  ///< [s] mean of its points; 0 where they have none
   int count = 0;                                      ///< points
   bool free = false;                                  ///< ends at a step in depth on both sides
 };
 
-/// The segments of each ring, ascending in azimuth. A cloud without rings has none.
-std::vector<std::vector<RingSegment>> ring_segments(const PointCloud& cloud, const SegmentOptions& options);
+/// The segments of each ring by its number, ascending in azimuth from the x axis on. `rings` is the layout of `cloud`.
+/// Points whose entry in `keep`, one a point, is zero are passed over.
+std::vector<std::vector<RingSegment>> ring_segments(const PointCloud& cloud, const RingLayout& rings,
+                                                    std::span<const std::uint8_t> keep, const SegmentOptions& options);
 
 }  // namespace tilth

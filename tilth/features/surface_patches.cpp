@@ -2,8 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
+#include <tilth/core/least_spread.hpp>
 #include <tilth/features/surface_patches.hpp>
 
 namespace tilth {
@@ -86,12 +85,16 @@ class PatchFitter {
   }
 
  private:
+  static double square(double x) { return x * x; }
+
   bool fit_plane(const Column& column, double range) {
-    flattest_ = options_.max_thickness * options_.max_thickness;
+    constexpr double kFlatAtOnce = 0.5;  // of the greatest thickness: no other beams need be asked
+    flattest_ = square(options_.max_thickness);
     bool found = false;
     for (const std::array<std::size_t, 3>& three : {std::array<std::size_t, 3>{1, 2, 3}, {0, 1, 2}, {2, 3, 4}}) {
       if (column[three[0]] && column[three[1]] && column[three[2]])
         found |= is_flatter({column[three[0]], column[three[1]], column[three[2]]});
+      if (found && flattest_ < square(kFlatAtOnce * options_.max_thickness)) return true;
     }
     if (found) return true;
     const double reach = std::max(options_.max_gap, options_.max_gap_share * range);
@@ -107,7 +110,7 @@ class PatchFitter {
     Moments moments;
     for (const RingSegment* segment : segments) moments.add(*segment);
     const Eigen::Matrix3d covariance = moments.covariance();
-    const Eigen::Vector3d variances = eigen_.computeDirect(covariance, Eigen::EigenvaluesOnly).eigenvalues();
+    const Eigen::Vector3d variances = spreads(covariance);
     if (variances[0] > flattest_ || variances[1] < std::max(kFlat * variances[0], kLeastWidth)) return false;
     flattest_ = variances[0];
     covariance_ = covariance;
@@ -116,26 +119,26 @@ class PatchFitter {
 
   // The patch of the run and of covariance_.
   SurfacePatch shaped(const RingSegment& self, bool flat) {
-    eigen_.computeDirect(covariance_);
-    const Eigen::Vector3d normal = eigen_.eigenvectors().col(0);
+    const double least = flat ? flattest_ : spreads(covariance_)[0];
+    const Eigen::Vector3d normal = direction_of_least(covariance_, least);
     return {.mean = self.mean,
             .covariance = covariance_,
             .normal = normal.dot(self.mean) > 0 ? Eigen::Vector3d(-normal) : normal,
             .time = self.time,
-            .thickness = float(std::max(0.0, eigen_.eigenvalues()[0])),
+            .thickness = float(std::max(0.0, least)),
             .flat = flat};
   }
 
   const PatchOptions& options_;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen_;
   Eigen::Matrix3d covariance_;
   double flattest_ = 0;
 };
 
 }  // namespace
 
-SurfacePatches surface_patches(const PointCloud& cloud, const PatchOptions& options) {
-  const Rings rings = ring_segments(cloud, options.segments);
+SurfacePatches surface_patches(const PointCloud& cloud, const RingLayout& layout, std::span<const std::uint8_t> keep,
+                               const PatchOptions& options) {
+  const Rings rings = ring_segments(cloud, layout, keep, options.segments);
   SurfacePatches patches;
   PatchFitter fitter(options);
   for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -148,6 +151,12 @@ SurfacePatches surface_patches(const PointCloud& cloud, const PatchOptions& opti
     }
   }
   return patches;
+}
+
+SurfacePatches surface_patches(const PointCloud& cloud, const PatchOptions& options) {
+  RingLayout rings;
+  arrange(cloud, rings);  // rings that overlap in elevation are rings all the same
+  return surface_patches(cloud, rings, std::vector<std::uint8_t>(cloud.size(), 1), options);
 }
 
 }  // namespace tilth

@@ -27,7 +27,11 @@ void visit(PatchOptions& o, V&& v) {
 }
 
 /// The patches of a scan, ring by ring; none of a cloud without rings. Runs that no beam beside belongs to are left
-/// out.
+/// out. `rings` is the layout of `cloud`; points whose entry in `keep`, one a point, is zero are passed over.
+SurfacePatches surface_patches(const PointCloud& cloud, const RingLayout& rings, std::span<const std::uint8_t> keep,
+                               const PatchOptions& options);
+
+/// The same of all points.
 SurfacePatches surface_patches(const PointCloud& cloud, const PatchOptions& options);
 
 }  // namespace tilth

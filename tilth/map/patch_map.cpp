@@ -2,8 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
-
+#include <tilth/core/least_spread.hpp>
 #include <tilth/map/patch_map.hpp>
 
 namespace tilth {
@@ -63,11 +62,10 @@ void PatchMap::insert(const SurfacePatches& patches, const Pose& T_map_lidar) {
 
 void PatchMap::refresh(const Sums& sums, MapSurface& surface) const {
   const Eigen::Matrix3d covariance = (sums.scatter + sums.covariances) / double(sums.count);
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(covariance);
-  const Eigen::Vector3d normal = eigen.eigenvectors().col(0);
+  const double least = spreads(covariance)[0];
+  const Eigen::Vector3d normal = direction_of_least(covariance, least);
   surface.normal = normal.dot(sums.normals) < 0 ? Eigen::Vector3d(-normal) : normal;
-  surface.variance = std::max(eigen.eigenvalues()[0], options_.surface_variance);
+  surface.variance = std::max(least, options_.surface_variance);
   surface.covariance = surface.flat ? Eigen::Matrix3d(kAlongSurface * Eigen::Matrix3d::Identity() +
                                                       (surface.variance - kAlongSurface) * normal * normal.transpose())
                                     : Eigen::Matrix3d(covariance + options_.blur * Eigen::Matrix3d::Identity());

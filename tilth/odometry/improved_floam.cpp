@@ -49,9 +49,11 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   begin_stage("crop");
   const PointCloud cloud = crop_range(scan.cloud, options_.min_range, options_.max_range);
   begin_stage("outliers");
-  result.filtered = select_kept(cloud, keep_inliers(cloud, neighbors_, options_.outliers));
+  const std::vector<std::uint8_t> keep = keep_inliers(cloud, neighbors_, options_.outliers);
+  result.filtered = select_kept(cloud, keep);
   begin_stage("features");
-  const SurfacePatches patches = surface_patches(result.filtered, options_.patches);
+  arrange(cloud, rings_);
+  const SurfacePatches patches = surface_patches(cloud, rings_, keep, options_.patches);
   const Features features = extract_features(patches, options_.features);
 
   begin_stage("registration");

@@ -57,6 +57,7 @@ class ImprovedFloam : public Odometry {
 
   ImprovedFloamOptions options_;
   ScanNeighbors neighbors_;
+  RingLayout rings_;  // of the scan
   ConstantVelocity motion_;
   PatchMap map_;  // of both: it keeps what is flat apart from what is not
 };

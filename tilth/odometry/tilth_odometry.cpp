@@ -7,9 +7,13 @@
 namespace tilth {
 namespace {
 
-PointCloud without_outliers(const PointCloud& cloud, const RingSupportOptions& options) {
-  const std::optional<std::vector<std::uint8_t>> keep = ring_support(cloud, options);
-  return keep ? select_kept(cloud, *keep) : cloud;
+/// At most `most` of the patches, evenly along the rings.
+SurfacePatches evenly(const SurfacePatches& patches, std::size_t most) {
+  if (patches.size() <= most) return patches;
+  SurfacePatches chosen;
+  chosen.reserve(most);
+  for (std::size_t i = 0; i < most; ++i) chosen.push_back(patches[i * patches.size() / most]);
+  return chosen;
 }
 
 }  // namespace
@@ -19,14 +23,17 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   begin_stage("crop");
   const PointCloud cloud = crop_range(scan.cloud, options_.min_range, options_.max_range);
   begin_stage("outliers");
-  result.filtered = without_outliers(cloud, options_.outliers);
+  arrange(cloud, rings_);
+  const std::vector<std::uint8_t> keep =
+      ring_support(rings_, cloud.size(), options_.outliers).value_or(std::vector<std::uint8_t>(cloud.size(), 1));
+  result.filtered = select_kept(cloud, keep);
   begin_stage("features");
-  const SurfacePatches patches = surface_patches(result.filtered, options_.patches);
+  const SurfacePatches patches = surface_patches(cloud, rings_, keep, options_.patches);
 
   begin_stage("registration");
   const double scan_duration = duration(cloud), middle = 0.5 * scan_duration;
   motion_.interval = registered_ > 0 ? scan.stamp + middle - last_middle_ : 0.0;
-  const MovingAlignment alignment = register_patches(patches, middle);
+  const MovingAlignment alignment = register_patches(evenly(patches, std::size_t(options_.max_patches)), middle);
   begin_stage("map");
   insert(patches, middle, alignment);
   last_middle_ = scan.stamp + middle;

@@ -14,6 +14,7 @@ struct TilthOptions {
   double min_range = 0.5;
   double max_range = 100.0;
   double pose_at = 0.58;
+  int max_patches = 1500;
   RingSupportOptions outliers;
   PatchOptions patches;
   AlignMovingOptions align;
@@ -25,6 +26,8 @@ void visit(TilthOptions& o, V&& v) {
   v("min_range", o.min_range, Bounds{0, 1e4}, "[m] nearer points are dropped");
   v("max_range", o.max_range, Bounds{0.1, 1e4}, "[m] farther points are dropped");
   v("pose_at", o.pose_at, Bounds{0, 1}, "[-] instant of the pose within the scan: 0 its first point, 1 its last one");
+  v("max_patches", o.max_patches, Bounds{100, 1e9},
+    "[patches] of a scan that are registered, evenly chosen; all of them go into the map");
   v("outliers", o.outliers, "[-] outlier removal, by the beams beside a point");
   v("patches", o.patches, "[-] patches of surface");
   v("align", o.align, "[-] registration of pose and velocity");
@@ -42,6 +45,7 @@ class TilthOdometry : public Odometry {
   void insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment);
 
   TilthOptions options_;
+  RingLayout rings_;  // of the scan
   PatchMap map_;
   MotionPrior motion_;
   double last_middle_ = 0.0;    // [s] of the last scan

@@ -9,6 +9,7 @@
 
 #include <tilth/core/options.hpp>
 #include <tilth/core/point_cloud.hpp>
+#include <tilth/search/ring_layout.hpp>
 
 namespace tilth {
 
@@ -29,5 +30,9 @@ void visit(RingSupportOptions& o, V&& v) {
 /// above or below has its distance from the axis, else 0. Nothing where the rings give no order to go along: there are
 /// none, or less than half of the points find support.
 std::optional<std::vector<std::uint8_t>> ring_support(const PointCloud& cloud, const RingSupportOptions& options);
+
+/// The same of the `points` points of a cloud that is laid out already.
+std::optional<std::vector<std::uint8_t>> ring_support(const RingLayout& rings, std::size_t points,
+                                                      const RingSupportOptions& options);
 
 }  // namespace tilth

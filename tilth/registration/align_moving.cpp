@@ -9,59 +9,82 @@ namespace {
 using Vector12d = Eigen::Matrix<double, 12, 1>;
 using Matrix12d = Eigen::Matrix<double, 12, 12>;
 
-// What one pair says about the pose at the middle of the scan; its point moves (time - middle) times as far with the
-// velocity.
-struct PairTerm {
-  Matrix6d H;
-  Vector6d b;
-  double error;
-};
-
-PairTerm flat_term(const PatchPair& pair, const Pose& T, const RobustKernel& kernel) {
-  const double residual = pair.normal_in_map.dot(pair.offset_in_map);
-  const double information = 1 / pair.normal_in_map.dot(pair.joint * pair.normal_in_map);
-  const double w = information * kernel.weight(residual * residual * information);
-  const Eigen::Vector3d normal = T.linear().transpose() * pair.normal_in_map;
-  Vector6d J;
-  J << pair.point_in_lidar.cross(normal), normal;
-  return {w * J * J.transpose(), w * residual * J, w * residual * residual};
-}
-
-PairTerm shape_term(const PatchPair& pair, const Pose& T, const RobustKernel& kernel) {
-  const Eigen::Matrix3d information = pair.joint.inverse();
-  const double squared = pair.offset_in_map.dot(information * pair.offset_in_map);
-  const double weight = kernel.weight(squared);
-  const Eigen::Matrix<double, 3, 6> J = point_jacobian(T, pair.point_in_lidar);
-  const Eigen::Matrix<double, 6, 3> Jt = weight * J.transpose() * information;
-  return {Jt * J, Jt * pair.offset_in_map, weight * squared};
-}
-
 struct MovingSystem {
   LinearSystem pose;  // of the pairs alone
   Matrix12d H = Matrix12d::Zero();
   Vector12d b = Vector12d::Zero();
 };
 
-MovingSystem linearize(const std::vector<PatchPair>& pairs, const MotionState& state) {
-  MovingSystem system;
-  Matrix6d H1 = Matrix6d::Zero(), H2 = Matrix6d::Zero();
-  Vector6d b1 = Vector6d::Zero();
-  const RobustKernel kernel{Kernel::geman_mcclure, state.kernel_width};
-  for (const PatchPair& pair : pairs) {
-    const double lever = double(pair.patch->time) - state.middle;
-    const PairTerm term =
-        pair.patch->flat ? flat_term(pair, state.T_map_lidar, kernel) : shape_term(pair, state.T_map_lidar, kernel);
-    system.pose.H += term.H;
-    H1 += lever * term.H;
-    H2 += lever * lever * term.H;
-    system.pose.b += term.b;
-    b1 += lever * term.b;
-    system.pose.error += 0.5 * term.error;
-    system.pose.squared_range += pair.point_in_lidar.squaredNorm();
+// The upper triangle of a symmetric 6 x 6 matrix, row by row, in whole SIMD packets.
+using Triangle = Eigen::Array<double, 24, 1>;
+
+// What pairs say about the pose at the middle of the scan, and, times their levers, about the velocity: a point moves
+// (time - middle) times as far with that.
+struct MovingSums {
+  Triangle H = Triangle::Zero(), H1 = Triangle::Zero(), H2 = Triangle::Zero();
+  Vector6d b = Vector6d::Zero(), b1 = Vector6d::Zero();
+  double error = 0, squared_range = 0;
+
+  void add(const Triangle& h, const Vector6d& g, double lever) {
+    H += h;
+    H1 += lever * h;
+    H2 += (lever * lever) * h;
+    b += g;
+    b1 += lever * g;
   }
-  system.pose.matches = pairs.size();
-  system.H << system.pose.H, H1, H1, H2;
-  system.b << system.pose.b, b1;
+};
+
+void add(const FlatPair& pair, const RobustKernel& kernel, MovingSums& sums) {
+  const double squared = pair.residual * pair.residual * pair.information;
+  const double weight = kernel.weight(squared), w = weight * pair.information;
+  Vector6d J;
+  J << pair.point.cross(pair.normal), pair.normal;
+  const Vector6d wJ = w * J;
+  Triangle h;
+  for (int i = 0, k = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j) h[k++] = wJ[i] * J[j];
+  }
+  h.tail<3>().setZero();
+  sums.add(h, pair.residual * wJ, pair.lever);
+  sums.error += 0.5 * weight * squared;
+  sums.squared_range += pair.point.squaredNorm();
+}
+
+void add(const ShapePair& pair, const Pose& T, const RobustKernel& kernel, MovingSums& sums) {
+  const Eigen::Matrix3d information = pair.joint_in_map.inverse();
+  const double squared = pair.offset_in_map.dot(information * pair.offset_in_map);
+  const double weight = kernel.weight(squared);
+  const Eigen::Matrix<double, 3, 6> J = point_jacobian(T, pair.point);
+  const Eigen::Matrix<double, 6, 3> Jt = weight * J.transpose() * information;
+  const Matrix6d H = Jt * J;
+  Triangle h;
+  for (int i = 0, k = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j) h[k++] = H(i, j);
+  }
+  h.tail<3>().setZero();
+  sums.add(h, Jt * pair.offset_in_map, pair.lever);
+  sums.error += 0.5 * weight * squared;
+  sums.squared_range += pair.point.squaredNorm();
+}
+
+Matrix6d whole(const Triangle& h) {
+  Matrix6d H;
+  for (int i = 0, k = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j) H(i, j) = H(j, i) = h[k++];
+  }
+  return H;
+}
+
+MovingSystem linearize(const PatchPairs& pairs, const MotionState& state) {
+  const RobustKernel kernel{Kernel::geman_mcclure, state.kernel_width};
+  MovingSums sums;
+  for (const FlatPair& pair : pairs.flat) add(pair, kernel, sums);
+  for (const ShapePair& pair : pairs.shapes) add(pair, state.T_map_lidar, kernel, sums);
+  MovingSystem system;
+  system.pose = {whole(sums.H), sums.b, sums.error, sums.squared_range, pairs.size()};
+  const Matrix6d H1 = whole(sums.H1);
+  system.H << system.pose.H, H1, H1, whole(sums.H2);
+  system.b << sums.b, sums.b1;
   return system;
 }
 
@@ -108,7 +131,7 @@ MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
   return {T_map_last, alignment.velocity, motion, 0.0, prior.known || known};
 }
 
-bool step_moving(const std::vector<PatchPair>& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
+bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
                  MotionState& state, MovingAlignment& result) {
   MovingSystem system = linearize(pairs, state);
   ++result.pose.iterations;

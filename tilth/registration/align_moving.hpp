@@ -76,13 +76,32 @@ struct MovingAlignment {
 /// What is known after a scan, for the next one; `interval` is still to be set.
 MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment);
 
-/// A patch and the surface it is held against: where it is in the map, the normal or covariance there.
-struct PatchPair {
-  const SurfacePatch* patch;
-  Eigen::Vector3d point_in_lidar;  ///< [m] straightened to the middle of the scan
-  Eigen::Vector3d offset_in_map;   ///< [m] from the surface's mean
-  Eigen::Matrix3d joint;           ///< [m^2] covariance of both, in the map's frame
-  Eigen::Vector3d normal_in_map;   ///< of a flat surface
+/// A flat patch and the surface that it is held against, seen from the LiDAR in the middle of the scan.
+struct FlatPair {
+  Eigen::Vector3d point;   ///< [m] of the patch
+  Eigen::Vector3d normal;  ///< unit, of the surface
+  double residual;         ///< [m] of the point from the surface, along its normal
+  double information;      ///< [1/m^2] of the residual
+  double lever;            ///< [s] from the middle of the scan to the patch: how far the velocity moves it
+};
+
+/// A patch that is not flat, likewise, with the offset and its covariance in the map's frame.
+struct ShapePair {
+  Eigen::Vector3d point;          ///< [m] in the LiDAR's frame
+  Eigen::Vector3d offset_in_map;  ///< [m] from the surface's mean
+  Eigen::Matrix3d joint_in_map;   ///< [m^2] covariance of both
+  double lever;                   ///< [s]
+};
+
+struct PatchPairs {
+  std::vector<FlatPair> flat;
+  std::vector<ShapePair> shapes;
+
+  std::size_t size() const { return flat.size() + shapes.size(); }
+  void clear() {
+    flat.clear();
+    shapes.clear();
+  }
 };
 
 /// The state that is estimated.
@@ -101,7 +120,7 @@ struct SurfaceMatch {
 
 struct PatchMatching {
   std::vector<SurfaceMatch> matches;  ///< one a patch
-  std::vector<PatchPair> pairs;       ///< those near enough, and facing the same way
+  PatchPairs pairs;                   ///< those near enough, and facing the same way
 };
 
 /// Brings `matching`, of the iteration before, up to date at `state`.
@@ -114,29 +133,36 @@ void associate_patches(const SurfacePatches& patches, const MotionState& state, 
   const double max_squared = options.max_distance * options.max_distance;
   const double renew_squared = options.renew_distance * options.renew_distance;
   const ScanMotion motion(state.velocity, state.middle, 2 * state.middle);
+  const Eigen::Matrix3d R_map_lidar = state.T_map_lidar.linear(), R_lidar_map = R_map_lidar.transpose();
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const SurfacePatch& patch = patches[i];
-    const Pose T_middle_patch = motion.at(patch.time);
-    const Eigen::Vector3d point = T_middle_patch * patch.mean, point_in_map = state.T_map_lidar * point;
-    const Eigen::Matrix3d R = state.T_map_lidar.linear() * T_middle_patch.linear();
-    const Eigen::Vector3d normal = R * patch.normal;
+    const double lever = double(patch.time) - state.middle;
+    const Eigen::Vector3d point = motion.move(patch.mean, patch.time), point_in_map = state.T_map_lidar * point;
+    const Eigen::Matrix3d& R_lidar_patch = motion.rotation(patch.time);
     SurfaceMatch& match = matching.matches[i];
     if ((point_in_map - match.point_in_map).squaredNorm() > renew_squared)
-      match = {target(point_in_map, normal, patch.flat), point_in_map};
+      match = {target(point_in_map, R_map_lidar * (R_lidar_patch * patch.normal), patch.flat), point_in_map};
     const auto* surface = static_cast<Surface*>(match.surface);
     if (surface == nullptr) continue;
     const Eigen::Vector3d offset = point_in_map - surface->mean;
     if (offset.squaredNorm() > max_squared) continue;
-    if (patch.flat && normal.dot(surface->normal) < options.min_cosine) continue;
-    Eigen::Matrix3d joint = R * patch.covariance * R.transpose() + surface->covariance;
-    joint.diagonal().array() += options.patch_variance;
-    matching.pairs.push_back({&patch, point, offset, joint, surface->normal});
+    if (patch.flat) {
+      const Eigen::Vector3d normal = R_lidar_map * surface->normal, n = R_lidar_patch.transpose() * normal;
+      if (n.dot(patch.normal) < options.min_cosine) continue;
+      const double variance = n.dot(patch.covariance * n) + surface->variance + options.patch_variance;
+      matching.pairs.flat.push_back({point, normal, surface->normal.dot(offset), 1 / variance, lever});
+    } else {
+      const Eigen::Matrix3d R = R_map_lidar * R_lidar_patch;
+      Eigen::Matrix3d joint = R * patch.covariance * R.transpose() + surface->covariance;
+      joint.diagonal().array() += options.patch_variance;
+      matching.pairs.shapes.push_back({point, offset, joint, lever});
+    }
   }
 }
 
 /// One step of `state` on `pairs` and the prior, with the diagnosis of the pairs; false where there are too few pairs
 /// or no solution.
-bool step_moving(const std::vector<PatchPair>& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
+bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
                  MotionState& state, MovingAlignment& result);
 
 /// The state at which the patches agree with the target, and the prior. Pairs are made anew in every iteration; the

@@ -22,12 +22,14 @@ void visit(AssociationOptions& o, V&& v) {
   v("lambda", o.lambda, Bounds{1e-12, 1}, "[m^2] added to the diagonal of every covariance");
 }
 
-/// A look-up of the target: the surface for a point, its normal, and whether it is flat; or nullptr.
+/// A look-up of the target: the surface for a point, its normal, and whether it is flat; or nullptr. A surface's
+/// variance is that of its covariance along its normal.
 template <class L>
 concept SurfaceLookup = requires(const L& lookup, const Eigen::Vector3d& p) {
   { lookup(p, p, true)->mean } -> std::convertible_to<Eigen::Vector3d>;
   { lookup(p, p, true)->normal } -> std::convertible_to<Eigen::Vector3d>;
   { lookup(p, p, true)->covariance } -> std::convertible_to<Eigen::Matrix3d>;
+  { lookup(p, p, true)->variance } -> std::convertible_to<double>;
 };
 
 /// Calls add(patch, surface) for each source patch whose surface, at T, is within max_distance: the pre-check that

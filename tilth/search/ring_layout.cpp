@@ -64,7 +64,8 @@ void turn_counterclockwise(RingLayout& l) {
       votes += (cross > 0.0f) - (cross < 0.0f);
     }
   }
-  if (votes >= 0) return;
+  l.mirrored = votes < 0;
+  if (!l.mirrored) return;
   for (float& y : l.y) y = -y;
 }
 

@@ -32,6 +32,7 @@ struct RingLayout {
 
   std::vector<Ring> rings;           ///< upwards; none is empty
   std::vector<float> x, y, z;        ///< [m] a slot each; y is mirrored where the sensor turns clockwise
+  bool mirrored = false;             ///< whether it does
   std::vector<float> ux, uy;         ///< unit horizontal direction (any, for points on the axis)
   std::vector<float> azimuth;        ///< pseudo angle, 4 a turn: ascending in each ring, pads included
   std::vector<std::uint32_t> index;  ///< of the point in the cloud

@@ -1,0 +1,16 @@
+// The direction in which points spread least, and by how much: the least eigenvalue of a covariance and its
+// eigenvector, without the trigonometry of a closed form. About 100 operations for what is flat.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace tilth {
+
+/// The eigenvalues of a covariance [m^2], ascending.
+Eigen::Vector3d spreads(const Eigen::Matrix3d& covariance);
+
+/// The unit eigenvector of `covariance` to its eigenvalue `least`; any one where it spreads alike in several
+/// directions.
+Eigen::Vector3d direction_of_least(const Eigen::Matrix3d& covariance, double least);
+
+}  // namespace tilth
