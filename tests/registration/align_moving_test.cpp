@@ -282,30 +282,5 @@ TEST(AlignMoving, AStepIsGaussNewtonsOnTheRobustCost) {
   EXPECT_LT((result.pose.information - H.topLeftCorner<6, 6>()).norm(), 1e-5 * H.norm());
 }
 
-TEST(MotionPrior, NextRemembersTheMotionSeen) {
-  const MotionPrior prior{.T_map_last = kTruth, .velocity = kVelocity, .last_motion = kSurprise, .interval = 0.2};
-  const Vector6d motion = (Vector6d() << 0, 0.1, 0.2, 1, 2, 3).finished();
-  MovingAlignment alignment;
-  alignment.velocity = 2 * kVelocity;
-  alignment.pose.T_target_source = kTruth * exp(0.2 * motion);
-  alignment.pose.matches = 50;
-  const MotionPrior after = next(prior, alignment);
-  EXPECT_TRUE(after.known);
-  EXPECT_EQ(after.interval, 0.0);  // not known yet
-  EXPECT_TRUE(after.T_map_last.isApprox(alignment.pose.T_target_source));
-  EXPECT_EQ(after.velocity, alignment.velocity);
-  EXPECT_LT((after.last_motion - motion).norm(), 1e-9);
-
-  alignment.pose.matches = 0;  // nothing was seen: the motion is that from before
-  EXPECT_EQ(next(prior, alignment).last_motion, prior.last_motion);
-  EXPECT_FALSE(next(prior, alignment).known);
-  EXPECT_TRUE(next(after, alignment).known);
-
-  MovingAlignment first;  // the first scan, registered to nothing
-  first.pose.matches = 50;
-  EXPECT_FALSE(next(MotionPrior(), first).known);
-  EXPECT_EQ(next(MotionPrior(), first).last_motion, Vector6d::Zero());
-}
-
 }  // namespace
 }  // namespace tilth
