@@ -25,4 +25,9 @@ int interrupted() {
   return last_signal;
 }
 
+int signal_exit_code() {
+  constexpr int kSignalExit = 128;
+  return kSignalExit + interrupted();
+}
+
 }  // namespace tilth::app

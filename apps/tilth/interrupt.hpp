@@ -9,4 +9,7 @@ void remember_interrupts();
 /// The signal that came, or zero.
 int interrupted();
 
+/// As a shell says that this signal ended a program: 128 and its number.
+int signal_exit_code();
+
 }  // namespace tilth::app

@@ -11,16 +11,14 @@ namespace tilth::app {
 class PacketRecording {
  public:
   /// Throws Error where `lidar` has no packets.
-  PacketRecording(const std::filesystem::path& path, const LidarModel& lidar);
+  PacketRecording(const std::filesystem::path& path, const LidarModel& lidar) : stream_(lidar), file_(path) {}
 
   void write(const Scan& scan);
   void close() { file_.close(); }
 
  private:
-  LidarModel lidar_;
-  PacketFormat format_;
+  PacketStream stream_;
   PcapWriter file_;
-  double next_device_packet_ = 0.0;  // [s]
 };
 
 }  // namespace tilth::app

@@ -56,7 +56,9 @@ RunEnd RegistrationLoop::run(const LoopOptions& options) {
       record_.decisions = source_.decisions();
       for (const std::string& decision : record_.decisions) console_.note(decision);
     }
-    if (!register_scan(*scan, reading.milliseconds()) && options.strict) return RunEnd::bad_record;
+    const bool registered = register_scan(*scan, reading.milliseconds());
+    if (!registered && options.strict) return RunEnd::bad_record;
+    if (registered && options.registered) options.registered();
     console_.progress(read_, source_.size());
   }
   return RunEnd::max_scans;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 #include "console.hpp"
 #include "stage_clock.hpp"
@@ -12,8 +13,9 @@
 namespace tilth::app {
 
 struct LoopOptions {
-  std::size_t max_scans = 0;  ///< zero: all
-  bool strict = false;        ///< a record that cannot be used ends the run
+  std::size_t max_scans = 0;         ///< zero: all
+  bool strict = false;               ///< a record that cannot be used ends the run
+  std::function<void()> registered;  ///< called after every scan that is registered; empty: nothing is
 };
 
 enum class RunEnd { end_of_input, max_scans, interrupted, bad_record, input_broken };

@@ -1,16 +1,12 @@
 // tilth run: a recording becomes a trajectory, a map and figures.
 #include <memory>
 #include <optional>
-#include <sys/resource.h>
-
-#include <tbb/global_control.h>
-#include <tbb/task_arena.h>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
-#include "machine.hpp"
 #include "option_arguments.hpp"
 #include "option_flags.hpp"
+#include "process.hpp"
 #include "register_scans.hpp"
 #include "run_report.hpp"
 #include <tilth/core/error.hpp>
@@ -25,8 +21,6 @@
 namespace tilth::app {
 namespace {
 
-constexpr int kSignalExit = 128;  // as a shell says that a signal ended a program
-
 struct RunArguments {
   std::string source, out, truth;
   OptionArguments options;
@@ -37,34 +31,6 @@ struct RunArguments {
   bool quiet = false;
 };
 
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return double(usage.ru_maxrss) * 1024e-6;
-}
-
-/// Calls f with at most `threads` threads, also where that is more than there are processors.
-template <class F>
-auto with_threads(int threads, const F& f) {
-  if (threads == 0) return f();
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
-  tbb::task_arena arena(threads);
-  return arena.execute(f);
-}
-
-RunRecord new_record(const RunArguments& arguments, const PipelineChoice& choice) {
-  RunRecord record;
-  record.version = TILTH_VERSION;
-  record.source = arguments.source;
-  record.pipeline = choice.name;
-  record.machine = machine_name();
-  record.options = describe_odometry(choice.name, choice.values);
-  record.defaults = describe_odometry(choice.name, {});
-  record.report = with<ReportOptions>(arguments.report);
-  record.map = MapBuilder(with<MapOptions>(arguments.map));
-  return record;
-}
-
 /// Registers what the source has, whatever the end.
 RunEnd register_all(const RunArguments& arguments, const PipelineChoice& choice, RunRecord& record, Console& console) {
   const std::unique_ptr<Odometry> odometry = make_odometry(choice.name, choice.values);
@@ -74,7 +40,8 @@ RunEnd register_all(const RunArguments& arguments, const PipelineChoice& choice,
   const Stopwatch stopwatch;
   RegistrationLoop loop(*source, *odometry, record, console);
   const RunEnd end = with_threads(arguments.threads, [&] { return loop.run(arguments.loop); });
-  for (const std::string& notice : source->notices()) console.note(notice);
+  record.notices = source->notices();
+  for (const std::string& notice : record.notices) console.note(notice);
   record.ended = to_text(end);
   record.wall_seconds = stopwatch.seconds();
   record.peak_megabytes = peak_megabytes();
@@ -97,7 +64,7 @@ std::vector<std::string> judge(const PoseFile& truth, RunRecord& record) {
 }
 
 int exit_code_of(RunEnd end, bool strict) {
-  if (end == RunEnd::interrupted) return kSignalExit + interrupted();
+  if (end == RunEnd::interrupted) return signal_exit_code();
   return end == RunEnd::bad_record || (end == RunEnd::input_broken && strict) ? 1 : 0;
 }
 
@@ -106,7 +73,8 @@ int run(const RunArguments& arguments) {
   std::optional<PoseFile> truth;
   if (!arguments.truth.empty()) truth = read_pose_file(arguments.truth);
   const PipelineChoice choice = choose_pipeline(arguments.options);
-  RunRecord record = new_record(arguments, choice);
+  RunRecord record = new_record(arguments.source, choice, arguments.map);
+  record.report = with<ReportOptions>(arguments.report);
   const RunEnd end = register_all(arguments, choice, record, console);
   if (record.trajectory.empty() && end != RunEnd::interrupted) {
     const std::string reason = record.skipped.empty() ? "it is empty" : record.skipped.front().what;

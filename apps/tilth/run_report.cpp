@@ -1,7 +1,10 @@
 #include "run_report.hpp"
 
+#include "machine.hpp"
+
 #include <cstdio>
 
+#include <tilth/odometry/make_odometry.hpp>
 #include <tilth/output/evaluation_report.hpp>
 #include <tilth/output/summary_json.hpp>
 
@@ -34,6 +37,18 @@ std::string speed_line(const RunFigures& figures, double megabytes) {
 }
 
 }  // namespace
+
+RunRecord new_record(const std::string& source, const PipelineChoice& choice, const OptionValues& map) {
+  RunRecord record;
+  record.version = TILTH_VERSION;
+  record.source = source;
+  record.pipeline = choice.name;
+  record.machine = machine_name();
+  record.options = describe_odometry(choice.name, choice.values);
+  record.defaults = describe_odometry(choice.name, {});
+  record.map = MapBuilder(with<MapOptions>(map));
+  return record;
+}
 
 void report_run(const RunRecord& record, const std::string& folder, Console& console) {
   const RunFigures figures = figures_of(record);

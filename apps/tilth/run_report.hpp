@@ -1,12 +1,16 @@
-// What a run tells people when it is over.
+// What a run is called at its beginning, and what it tells people when it is over.
 #pragma once
 
 #include <string>
 
 #include "console.hpp"
+#include "option_arguments.hpp"
 #include <tilth/output/run_record.hpp>
 
 namespace tilth::app {
+
+/// A record without scans; `map` are the values of MapOptions.
+RunRecord new_record(const std::string& source, const PipelineChoice& choice, const OptionValues& map);
 
 /// The figures of the run in a few lines, and where its files are.
 void report_run(const RunRecord& record, const std::string& folder, Console& console);

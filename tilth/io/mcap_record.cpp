@@ -5,11 +5,13 @@
 
 namespace tilth::mcap {
 
+std::span<const std::byte> magic() {
+  static constexpr std::array<unsigned char, kMagicSize> kMagic{0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
+  return std::as_bytes(std::span(kMagic));
+}
+
 bool begins_file(std::span<const std::byte> bytes) {
-  constexpr std::array<unsigned char, kMagicSize> kMagic{0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
-  return bytes.size() >= kMagicSize &&
-         std::equal(kMagic.begin(), kMagic.end(), bytes.begin(),
-                    [](unsigned char a, std::byte b) { return a == std::to_integer<unsigned char>(b); });
+  return bytes.size() >= kMagicSize && std::equal(magic().begin(), magic().end(), bytes.begin());
 }
 
 std::uint64_t Body::number(std::size_t size) {
@@ -30,6 +32,27 @@ std::span<const std::byte> Body::bytes(std::uint64_t count) {
   const std::span<const std::byte> taken = rest_.first(std::size_t(count));
   rest_ = rest_.subspan(std::size_t(count));
   return taken;
+}
+
+RecordWriter& RecordWriter::number(std::size_t size, std::uint64_t value) {
+  for (std::size_t i = 0; i < size; ++i) bytes_.push_back(std::byte(value >> 8 * i & 0xFF));
+  return *this;
+}
+
+RecordWriter& RecordWriter::text(std::string_view text) {
+  number(4, text.size());
+  return bytes(std::as_bytes(std::span(text)));
+}
+
+RecordWriter& RecordWriter::bytes(std::span<const std::byte> bytes) {
+  bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+  return *this;
+}
+
+std::vector<std::byte> RecordWriter::take() {
+  const std::uint64_t length = bytes_.size() - kRecordHeader;
+  for (std::size_t i = 0; i < 8; ++i) bytes_[1 + i] = std::byte(length >> 8 * i & 0xFF);
+  return std::move(bytes_);
 }
 
 }  // namespace tilth::mcap

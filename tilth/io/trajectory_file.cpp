@@ -32,6 +32,14 @@ std::string stamp_text(double stamp) {
   return {text.data(), end};
 }
 
+std::string kitti_line(const Pose& pose) {
+  std::string line;
+  for (int i = 0; i < 12; ++i) line.append(i ? " " : "").append(exact_text(pose.matrix()(i / 4, i % 4)));
+  return line + "\n";
+}
+
+}  // namespace
+
 std::string tum_line(const StampedPose& pose) {
   const Eigen::Quaterniond q = Eigen::Quaterniond(pose.T_world_lidar.linear()).normalized();
   const Eigen::Vector3d t = pose.T_world_lidar.translation();
@@ -40,14 +48,6 @@ std::string tum_line(const StampedPose& pose) {
     line.append(" ").append(exact_text(value));
   return line + "\n";
 }
-
-std::string kitti_line(const Pose& pose) {
-  std::string line;
-  for (int i = 0; i < 12; ++i) line.append(i ? " " : "").append(exact_text(pose.matrix()(i / 4, i % 4)));
-  return line + "\n";
-}
-
-}  // namespace
 
 Trajectory parse_tum(std::string_view text, const std::string& name) {
   Trajectory trajectory;

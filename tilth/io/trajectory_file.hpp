@@ -16,6 +16,7 @@ Trajectory read_tum(const std::filesystem::path& path);
 Trajectory parse_tum(std::string_view text, const std::string& name);
 /// Values are written with as many digits as reading back the same doubles takes, stamps with at least 9 decimals.
 void write_tum(const std::filesystem::path& path, const Trajectory& trajectory);
+std::string tum_line(const StampedPose& pose);  ///< of such a file, with its end
 
 /// Poses as they stand in the file (KITTI's own are of camera 0). A 3x3 that is no rotation within 1e-3 is refused.
 std::vector<Pose> read_kitti_poses(const std::filesystem::path& path);

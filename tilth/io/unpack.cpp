@@ -3,6 +3,7 @@
 
 #include <lz4frame.h>
 
+#include <tilth/core/error.hpp>
 #include <tilth/io/unpack.hpp>
 
 namespace tilth {
@@ -67,6 +68,15 @@ std::optional<Bytes> unpack(std::string_view compression, std::span<const std::b
   if (compression == "zstd") return unpack_zstd(packed);
   if (!compression.empty() || packed.size() > kMostUnpacked) return std::nullopt;
   return Bytes(packed.begin(), packed.end());
+}
+
+Bytes pack_zstd(std::span<const std::byte> plain) {
+  constexpr int kFast = 1;
+  Bytes packed(ZSTD_compressBound(plain.size()));
+  const std::size_t size = ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), kFast);
+  if (ZSTD_isError(size) != 0) throw Error("zstd", ZSTD_getErrorName(size));
+  packed.resize(size);
+  return packed;
 }
 
 }  // namespace tilth

@@ -16,4 +16,7 @@ constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 28;  ///< [bytes] of
 /// or more than kMostUnpacked. Memory grows with what is unpacked, whatever sizes the data claims.
 std::optional<std::vector<std::byte>> unpack(std::string_view compression, std::span<const std::byte> packed);
 
+/// `plain` as one frame of Zstandard.
+std::vector<std::byte> pack_zstd(std::span<const std::byte> plain);
+
 }  // namespace tilth

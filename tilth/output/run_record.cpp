@@ -39,9 +39,11 @@ std::vector<std::string> run_files() {
   return names;
 }
 
-std::vector<std::string> write_run(const std::filesystem::path& folder, const RunRecord& record) {
+std::vector<std::string> write_run(const std::filesystem::path& folder, const RunRecord& record,
+                                   const std::set<std::string>& kept) {
   std::vector<std::string> failures;
   for (const RunFile& file : files()) {
+    if (kept.contains(file.name)) continue;
     try {
       file.write(folder / file.name, record);
     } catch (const std::exception& e) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,8 @@ struct RunRecord {
   ReportOptions report;
   std::vector<std::string> decisions;  ///< of the source, one sentence each
   std::vector<SkippedRecord> skipped;
-  std::string ended;  ///< why no more scans were registered: "end of input", "interrupted" ...
+  std::vector<std::string> notices;  ///< of the source: packets lost, scans dropped ...; one sentence each
+  std::string ended;                 ///< why no more scans were registered: "end of input", "interrupted" ...
   Trajectory trajectory;
   ScanTable scans;
   MapBuilder map{MapOptions{}};
@@ -51,7 +53,8 @@ std::vector<std::string> run_files();
 
 /// Writes trajectory.tum, trajectory_kitti.txt, map.pcd, scans.csv, summary.json and report.html (with plots/) into
 /// `folder`. A file that cannot be written does not keep the others from it. Returns what went wrong, one sentence a
-/// file.
-std::vector<std::string> write_run(const std::filesystem::path& folder, const RunRecord& record);
+/// file. `kept` are files that are left as they stand.
+std::vector<std::string> write_run(const std::filesystem::path& folder, const RunRecord& record,
+                                   const std::set<std::string>& kept = {});
 
 }  // namespace tilth

@@ -34,6 +34,18 @@ void write_row(std::ostream& out, const ScanRow& row, std::size_t index, std::si
 
 }  // namespace
 
+std::string scan_table_header(const std::vector<std::string>& stages) {
+  std::ostringstream out;
+  write_header(out, stages);
+  return out.str();
+}
+
+std::string scan_table_row(const ScanRow& row, std::size_t index, std::size_t stages) {
+  std::ostringstream out;
+  write_row(out, row, index, stages);
+  return out.str();
+}
+
 void write_scan_table(const std::filesystem::path& path, const ScanTable& table) {
   std::ostringstream out;
   write_header(out, table.stages);

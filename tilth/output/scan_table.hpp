@@ -29,6 +29,10 @@ struct ScanTable {
 };
 
 /// Throws Error where the file cannot be written in full.
+/// Lines of scans.csv, with their ends.
+std::string scan_table_header(const std::vector<std::string>& stages);
+std::string scan_table_row(const ScanRow& row, std::size_t index, std::size_t stages);
+
 void write_scan_table(const std::filesystem::path& path, const ScanTable& table);
 
 }  // namespace tilth

@@ -95,6 +95,7 @@ std::string summary_json(const RunRecord& record) {
                   {"map_voxel_m", record.map.voxel()},
                   {"counts", counts(record)},
                   {"skipped", skipped(record)},
+                  {"notices", record.notices},
                   {"recorded_seconds", figures.recorded_seconds},
                   {"registering_seconds", figures.registering_seconds},
                   {"wall_seconds", record.wall_seconds},

@@ -42,6 +42,14 @@ PacketKind kind_of(std::span<const std::byte> payload) {
   return PacketKind::other;
 }
 
+std::uint16_t factory_port(PacketKind kind) {
+  switch (kind) {
+    case PacketKind::device: return 2369;
+    case PacketKind::position: return 8308;
+    default: return 2368;
+  }
+}
+
 DataPacket::DataPacket(std::span<const std::byte> payload) : payload_(without_padding(payload)) {
   assert(kind_of(payload) == PacketKind::data);
 }

@@ -24,6 +24,9 @@ enum class PacketKind : std::uint8_t {
 };
 PacketKind kind_of(std::span<const std::byte> payload);
 
+/// Where sensors send packets of that kind as they come from their makers; of kind other, as data.
+std::uint16_t factory_port(PacketKind kind);
+
 constexpr std::size_t kBlocks = 12, kSlots = 32;
 constexpr std::uint8_t kDualReturn = 0x39;
 

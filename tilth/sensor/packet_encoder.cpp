@@ -122,4 +122,15 @@ std::vector<std::byte> encode_device_packet(const LidarModel& lidar, const Packe
   return payload;
 }
 
+PacketStream::PacketStream(const LidarModel& lidar) : lidar_(lidar), format_(packet_format_of(lidar)) {}
+
+std::vector<EncodedPacket> PacketStream::encode(const Scan& scan) {
+  constexpr double kSecond = 1.0;
+  std::vector<EncodedPacket> packets = encode_scan(scan, lidar_, format_);
+  if (format_.tail == PacketTail::velodyne || scan.stamp < next_device_packet_) return packets;
+  packets.insert(packets.begin(), EncodedPacket{scan.stamp, encode_device_packet(lidar_, format_)});
+  next_device_packet_ = scan.stamp + kSecond;
+  return packets;
+}
+
 }  // namespace tilth

@@ -26,4 +26,18 @@ std::vector<EncodedPacket> encode_scan(const Scan& scan, const LidarModel& lidar
 /// Leishen's DIFOP with speed and angles, as v2.8/v3.0 sends it.
 std::vector<std::byte> encode_device_packet(const LidarModel& lidar, const PacketFormat& format);
 
+/// All that a sensor sends, scan after scan: its data packets, and once a second Leishen's device packet.
+class PacketStream {
+ public:
+  explicit PacketStream(const LidarModel& lidar);  ///< throws Error as packet_format_of
+
+  std::vector<EncodedPacket> encode(const Scan& scan);  ///< in the order they are sent; throws Error as encode_scan
+  const PacketFormat& format() const { return format_; }
+
+ private:
+  LidarModel lidar_;
+  PacketFormat format_;
+  double next_device_packet_ = 0.0;  // [s]
+};
+
 }  // namespace tilth

@@ -1,14 +1,11 @@
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <cstring>
-#include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 #include <tilth/core/error.hpp>
 #include <tilth/sensor/point_cloud2.hpp>
+#include <tilth/sensor/ros_message_writer.hpp>
 
 namespace tilth {
 namespace {
@@ -17,23 +14,6 @@ namespace {
 constexpr std::array kTypes{FieldType::i8,  FieldType::u8,  FieldType::i16, FieldType::u16,
                             FieldType::i32, FieldType::u32, FieldType::f32, FieldType::f64};
 constexpr std::size_t kMostFields = 1000;
-
-class Writer {
- public:
-  template <class T>
-  void number(std::type_identity_t<T> value) {
-    for (std::size_t i = 0; i < sizeof(T); ++i) bytes_.push_back(std::byte(std::uint64_t(value) >> (8 * i)));
-  }
-  void text(std::string_view value) {
-    number<std::uint32_t>(std::uint32_t(value.size()));
-    for (const char c : value) bytes_.push_back(std::byte(c));
-  }
-  void bytes(std::span<const std::byte> value) { bytes_.insert(bytes_.end(), value.begin(), value.end()); }
-  std::vector<std::byte> take() { return std::move(bytes_); }
-
- private:
-  std::vector<std::byte> bytes_;
-};
 
 std::optional<PointField> read_field(RosMessageReader& reader) {
   PointField field;
@@ -123,35 +103,28 @@ PointCloud2 parse_point_cloud2(std::span<const std::byte> message, Serialization
   return cloud;
 }
 
-std::vector<std::byte> serialize_point_cloud2(const PointCloud2& cloud) {
-  constexpr double limit = 4294967296.0;
+std::vector<std::byte> serialize_point_cloud2(const PointCloud2& cloud, Serialization serialization) {
+  constexpr double kLimit = 4294967296.0;
   const PointRecords& records = cloud.records;
   const std::size_t size = records.count * records.stride;
-  if (!(cloud.stamp >= 0.0 && cloud.stamp < limit))
-    throw Error("PointCloud2 header.stamp", std::to_string(cloud.stamp) + " s lies outside [0, 2^32)");
-  if (double(size) >= limit) throw Error("PointCloud2 data", std::to_string(size) + " bytes are more than 2^32");
-  const std::uint64_t nanoseconds = std::uint64_t(std::floor(cloud.stamp)) * 1000000000u +
-                                    std::uint64_t(std::llround((cloud.stamp - std::floor(cloud.stamp)) * 1e9));
-  Writer writer;
-  writer.number<std::uint32_t>(0);
-  writer.number<std::uint32_t>(std::uint32_t(nanoseconds / 1000000000u));
-  writer.number<std::uint32_t>(std::uint32_t(nanoseconds % 1000000000u));
-  writer.text(cloud.frame_id);
-  writer.number<std::uint32_t>(1);
-  writer.number<std::uint32_t>(std::uint32_t(records.count));
-  writer.number<std::uint32_t>(std::uint32_t(records.fields.size()));
+  if (double(size) >= kLimit) throw Error("PointCloud2 data", std::to_string(size) + " bytes are more than 2^32");
+  RosMessageWriter writer(serialization);
+  writer.header(cloud.stamp, cloud.frame_id, "PointCloud2");
+  writer.u32(1);
+  writer.u32(records.count);
+  writer.u32(records.fields.size());
   for (const PointField& field : records.fields) {
     writer.text(field.name);
-    writer.number<std::uint32_t>(std::uint32_t(field.offset));
-    writer.number<std::uint8_t>(datatype_of(field));
-    writer.number<std::uint32_t>(1);
+    writer.u32(field.offset);
+    writer.u8(datatype_of(field));
+    writer.u32(1);
   }
-  writer.number<std::uint8_t>(records.byte_order == std::endian::big ? 1 : 0);
-  writer.number<std::uint32_t>(std::uint32_t(records.stride));
-  writer.number<std::uint32_t>(std::uint32_t(size));
-  writer.number<std::uint32_t>(std::uint32_t(size));
+  writer.u8(records.byte_order == std::endian::big ? 1 : 0);
+  writer.u32(records.stride);
+  writer.u32(size);
+  writer.u32(size);
   writer.bytes(std::span(records.bytes).first(size));
-  writer.number<std::uint8_t>(0);
+  writer.u8(0);
   return writer.take();
 }
 

@@ -1,5 +1,5 @@
-// sensor_msgs/PointCloud2 as ROS 1 serialises it: little-endian, packed, strings and arrays behind a u32 count.
-// O(bytes).
+// sensor_msgs/PointCloud2 as ROS 1 (little-endian, packed, strings and arrays behind a u32 count) and ROS 2 (CDR) have
+// it. O(bytes).
 #pragma once
 
 #include <cstddef>
@@ -29,6 +29,7 @@ PointCloud2 parse_point_cloud2(std::span<const std::byte> message, Serialization
 
 /// One row of records. Throws Error where a field has a type that the message knows none for (64 bit integers), where
 /// the cloud is longer than 2^32 bytes, or the stamp lies outside [0, 2^32) s.
-std::vector<std::byte> serialize_point_cloud2(const PointCloud2& cloud);
+std::vector<std::byte> serialize_point_cloud2(const PointCloud2& cloud,
+                                              Serialization serialization = Serialization::ros1);
 
 }  // namespace tilth

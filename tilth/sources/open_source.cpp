@@ -5,6 +5,7 @@
 #include <tilth/sources/bag_reader.hpp>
 #include <tilth/sources/bag_source.hpp>
 #include <tilth/sources/folder_source.hpp>
+#include <tilth/sources/live_source.hpp>
 #include <tilth/sources/open_source.hpp>
 #include <tilth/sources/packet_files.hpp>
 #include <tilth/sources/scan_files.hpp>
@@ -35,6 +36,10 @@ std::unique_ptr<ScanSource> open_packet_file(const fs::path& path, const OptionV
 
 std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOptions& options) {
   if (uri.starts_with(kSimulatedScheme)) return open_simulation(uri);
+  if (uri.starts_with(kLiveScheme)) {
+    const LiveAddress address = parse_live_uri(uri, options.packets);
+    return std::make_unique<LiveSource>(listen(address, options.stopped), address.options);
+  }
   const SourceUri source = parse_path(uri, options.packets);
   const fs::path path(source.what);
   std::error_code error;

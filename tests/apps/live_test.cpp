@@ -1,0 +1,143 @@
+// tilth play and tilth live over the loopback: the same trajectory as without a network; killed, and gone on with.
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "program.hpp"
+#include <tilth/io/pcd.hpp>
+#include <tilth/io/trajectory_file.hpp>
+#include <tilth/sources/udp_socket.hpp>
+
+namespace tilth::app {
+namespace {
+
+constexpr double kMicrosecond = 1e-6;
+
+class Live : public testing::Test {
+ protected:
+  std::string in(const std::string& name) const { return (folder_ / name).string(); }
+  std::string address() const { return "127.0.0.1:" + std::to_string(port_); }
+
+  void record(const std::string& sensor, const std::string& duration) const {
+    ASSERT_EQ(tilth({"simulate", "corridor", "--out", in("sim"), "--format", "pcap", "--sensor", sensor, "--duration",
+                     duration, "--quiet"})
+                  .exit_code,
+              0);
+  }
+
+  /// Starts tilth live and waits until it listens.
+  Program live(const std::string& out, std::vector<std::string> more) const {
+    std::vector<std::string> arguments{"live", "udp://" + address(), "--out", in(out)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Program program(arguments);
+    while (program.running() && program.out_so_far().empty()) rest();
+    return program;
+  }
+
+  std::vector<std::string> play(const std::string& rate) const {
+    return {"play", in("sim/scans.pcap"), "--to", address(), "--rate", rate};
+  }
+
+  std::size_t poses_in(const std::string& out) const {
+    const std::string text = text_of(folder_ / out / "trajectory.tum");
+    return std::size_t(std::count(text.begin(), text.end(), '\n'));
+  }
+
+  static void rest() { std::this_thread::sleep_for(std::chrono::milliseconds(5)); }
+
+  TemporaryFolder folder_;
+  std::uint16_t port_ = UdpSocket::listening({0x7F000001, 0}).port();
+};
+
+TEST_F(Live, APlayedRecordingGivesTheTrajectoryOfTheSimulation) {
+  for (const std::string sensor : {"leishen_c16", "vlp16"}) {
+    SCOPED_TRACE(sensor);
+    record(sensor, "4");
+    const Program program = live(sensor, {"--idle", "1", "--queue", "100"});
+    ASSERT_EQ(tilth(play("2")).exit_code, 0);
+    const Outcome outcome = program.wait();
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find("dropped"), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err, "");
+    ASSERT_EQ(tilth({"run", "sim://corridor?duration=4&sensor=" + sensor, "--out", in("direct")}).exit_code, 0);
+    const Trajectory played = read_tum(folder_ / sensor / "trajectory.tum");
+    const Trajectory direct = read_tum(folder_ / "direct" / "trajectory.tum");
+    ASSERT_EQ(played.size(), direct.size());
+    for (std::size_t i = 0; i < played.size(); ++i) {
+      EXPECT_NEAR(played[i].stamp - played[0].stamp, direct[i].stamp - direct[0].stamp, 5 * kMicrosecond);
+      const Pose difference = direct[i].T_world_lidar.inverse() * played[i].T_world_lidar;
+      EXPECT_LT(difference.translation().norm(), 0.01) << i;
+      EXPECT_LT(Eigen::AngleAxisd(difference.linear()).angle(), 0.002) << i;
+    }
+  }
+}
+
+TEST_F(Live, SigtermEndsItWithEveryFileWritten) {
+  record("vlp16", "5");
+  const Program program = live("out", {});
+  const Program player(play("1"));
+  while (program.running() && player.running() && poses_in("out") < 5) rest();
+  program.signal(SIGTERM);
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  player.signal(SIGINT);
+  EXPECT_EQ(player.wait().exit_code, 128 + SIGINT);
+  const std::string summary = text_of(folder_ / "out/summary.json");
+  EXPECT_NE(summary.find("\"ended\": \"interrupted\""), std::string::npos) << summary;
+  EXPECT_EQ(read_kitti_poses(folder_ / "out/trajectory_kitti.txt").size(), poses_in("out"));
+  EXPECT_GT(read_pcd(folder_ / "out/map.pcd").count, 1000U);
+  const std::string table = text_of(folder_ / "out/scans.csv");
+  EXPECT_EQ(std::size_t(std::count(table.begin(), table.end(), '\n')), poses_in("out") + 1);
+  const Outcome again = tilth({"live", "udp://" + address(), "--out", in("out")});
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_NE(again.err.find("--resume"), std::string::npos) << again.err;
+}
+
+TEST_F(Live, IsKilledAndGoesOn) {
+  record("vlp16", "5");
+  const Program program = live("out", {"--checkpoint", "0.2"});
+  const Program player(play("1"));
+  const auto map_is_there = [&] { return std::filesystem::exists(folder_ / "out/map.pcd"); };
+  while (program.running() && player.running() && (poses_in("out") < 10 || !map_is_there())) rest();
+  const std::size_t seen = poses_in("out");
+  program.signal(SIGKILL);
+  EXPECT_EQ(program.wait().exit_code, 128 + SIGKILL);
+  player.signal(SIGINT);
+  player.wait();
+  const Trajectory before = read_tum(folder_ / "out/trajectory.tum");
+  EXPECT_GE(before.size(), seen) << "no pose that was there is lost";
+  const std::size_t points = read_pcd(folder_ / "out/map.pcd").count;
+
+  const Program resumed = live("out", {"--resume", "--idle", "1"});
+  ASSERT_EQ(tilth(play("2")).exit_code, 0);
+  const Outcome outcome = resumed.wait();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("resumed: " + std::to_string(before.size()) + " poses"), std::string::npos) << outcome.out;
+  const Trajectory all = read_tum(folder_ / "out/trajectory.tum");
+  ASSERT_GT(all.size(), before.size() + 20);
+  for (std::size_t i = 0; i < before.size(); ++i)
+    EXPECT_EQ(all[i].T_world_lidar.matrix(), before[i].T_world_lidar.matrix());
+  EXPECT_TRUE(all[before.size()].T_world_lidar.isApprox(before.back().T_world_lidar, 1e-9));
+  EXPECT_GE(read_pcd(folder_ / "out/map.pcd").count, points);
+  const std::string table = text_of(folder_ / "out/scans.csv");
+  EXPECT_NEAR(double(std::count(table.begin(), table.end(), '\n')), double(all.size() + 1), 1.0);
+}
+
+TEST_F(Live, BadArgumentsAreRefused) {
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& reason) {
+    const Outcome outcome = tilth(arguments);
+    EXPECT_EQ(outcome.exit_code, 1) << reason;
+    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+  };
+  refused({"live", "some.pcap", "--out", in("a")}, "udp://[ADDRESS]:PORT");
+  refused({"live", "udp://" + address(), "--idle", "0.2", "--out", in("a")}, "no packet came");
+  refused({"play", in("none.pcap"), "--to", address()}, "no such file");
+  refused({"play", "sim://corridor", "--to", "127.0.0.1"}, "has no port");
+  refused({"play", "sim://corridor", "--to", ":2368"}, "names no computer");
+  refused({"play", "sim://street?sensor=hdl64", "--to", address()}, "hdl64");
+}
+
+}  // namespace
+}  // namespace tilth::app

@@ -1,0 +1,64 @@
+#include <deque>
+#include <memory>
+#include <utility>
+
+#include <tilth/core/error.hpp>
+#include <tilth/sensor/packet_message.hpp>
+#include <tilth/sources/bag_packets.hpp>
+
+namespace tilth {
+namespace {
+
+/// Packets of messages, one by one.
+class MessagePackets {
+ public:
+  MessagePackets(BagReader bag, const BagTopic& topic)
+      : bag_(std::move(bag)), type_(topic.type), serialization_(topic.serialization()) {}
+
+  std::optional<ReceivedPacket> next() {
+    while (waiting_.empty()) {
+      const std::optional<Message> message = bag_.next();
+      if (!message) return std::nullopt;
+      take(*message);
+    }
+    ReceivedPacket packet = std::move(waiting_.front());
+    waiting_.pop_front();
+    return packet;
+  }
+
+  std::string problem() const {
+    const std::string damage = bag_.problem();
+    return damage.empty() || problem_.empty() ? damage + problem_ : damage + "; " + problem_;
+  }
+
+ private:
+  void take(const Message& message) {
+    try {
+      for (const StampedPayload& p : parse_packet_message(type_, message.bytes, serialization_)) {
+        const double arrival = p.stamp > 0.0 ? p.stamp : 1e-9 * double(message.stamp);
+        waiting_.push_back({arrival, 0, {p.payload.begin(), p.payload.end()}});
+      }
+    } catch (const Error& error) {
+      if (problem_.empty()) problem_ = error.what();
+    }
+  }
+
+  BagReader bag_;
+  std::string type_, problem_;
+  Serialization serialization_;
+  std::deque<ReceivedPacket> waiting_;
+};
+
+}  // namespace
+
+PacketFeed bag_packet_feed(BagReader bag, const BagTopic& topic, const std::string& name) {
+  bag.select(topic.name);
+  const auto reader = std::make_shared<MessagePackets>(std::move(bag), topic);
+  return {name,
+          {},
+          [reader] { return reader->next(); },
+          [] { return std::vector<std::string>{}; },
+          [reader] { return reader->problem(); }};
+}
+
+}  // namespace tilth
