@@ -12,6 +12,7 @@ void add_config(CLI::App& app, int& exit_code);
 void add_evaluate(CLI::App& app, int& exit_code);
 void add_info(CLI::App& app, int& exit_code);
 void add_simulate(CLI::App& app, int& exit_code);
+void add_convert(CLI::App& app, int& exit_code);
 void add_live(CLI::App& app, int& exit_code);
 void add_play(CLI::App& app, int& exit_code);
 void add_score_filter(CLI::App& app, int& exit_code);

@@ -25,7 +25,8 @@ namespace {
 struct LiveArguments {
   std::string source, out;
   OptionArguments options;
-  OptionValues input, map;
+  OptionValues input;
+  RecordValues record;
   LoopOptions loop;
   double duration = 0.0;     // [s], 0: until it is stopped
   double checkpoint = 30.0;  // [s]
@@ -111,9 +112,9 @@ void resume(const LiveArguments& arguments, RunRecord& record, Console& console)
 int live(const LiveArguments& arguments) {
   Console console(arguments.quiet);
   const PipelineChoice choice = choose_pipeline(arguments.options);
-  RunRecord record = new_record(arguments.source, choice, arguments.map);
+  RunRecord record = new_record(arguments.source, choice, arguments.record);
   check_folder(arguments);
-  prepare_output_folder(arguments.out, run_files());
+  prepare_output_folder(arguments.out, run_files(record.output));
   remember_interrupts();
   const Stopwatch stopwatch;
   const auto enough = [&] { return arguments.duration > 0.0 && stopwatch.seconds() > arguments.duration; };
@@ -122,7 +123,7 @@ int live(const LiveArguments& arguments) {
   if (!source) return signal_exit_code();
   const bool continues = arguments.resume && holds_run(arguments.out);
   if (continues) resume(arguments, record, console);
-  RunJournal journal(arguments.out, !continues);
+  RunJournal journal(arguments.out, record.output, !continues);
   const std::unique_ptr<Odometry> odometry = odometry_for(choice, record);
   Keeper keeper(arguments, *source, journal, console);
   RegistrationLoop loop(*source, *odometry, record, console);
@@ -158,7 +159,9 @@ void add_live(CLI::App& app, int& exit_code) {
   command->add_option("--pipeline", a->options.pipeline, "see `tilth pipelines`; default: the first of them");
   add_setting_arguments(*command, a->options);
   add_option_flags(*command, describe(LiveOptions{}), a->input);
-  add_option_flags(*command, describe(MapOptions{}), a->map);
+  add_option_flags(*command, describe(MapOptions{}), a->record.map);
+  add_option_flags(*command, describe(OutputOptions{}), a->record.output);
+  add_option_flags(*command, describe(ReportOptions{}), a->record.report);
   command->add_option("--threads", a->threads, "0: as many as there are processors")->check(CLI::Range(0, 1024));
   command->add_flag("--quiet", a->quiet, "print errors only");
   command->callback([a, &exit_code] { exit_code = live(*a); });

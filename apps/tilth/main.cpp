@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   tilth::app::add_evaluate(app, exit_code);
   tilth::app::add_info(app, exit_code);
   tilth::app::add_simulate(app, exit_code);
+  tilth::app::add_convert(app, exit_code);
   tilth::app::add_live(app, exit_code);
   tilth::app::add_play(app, exit_code);
   tilth::app::add_score_filter(app, exit_code);

@@ -2,36 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
-#include <system_error>
 
-#include <tilth/io/cloud_records.hpp>
-#include <tilth/io/kitti_bin.hpp>
 #include <tilth/io/output_file.hpp>
-#include <tilth/io/pcd.hpp>
 #include <tilth/io/trajectory_file.hpp>
-#include <tilth/sensor/point_cloud2.hpp>
 
 namespace tilth::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kTopic = "/points";
 constexpr std::array<std::string_view, 4> kFormats{"pcd", "kitti", "bag", "pcap"};
-
-std::string numbered(std::size_t index, std::string_view ending) {
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "%06zu%s", index, std::string(ending).c_str());
-  return name.data();
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw Error(folder.string(), "cannot be made: " + error.message());
-}
 
 /// As a shell takes it for one word.
 std::string quoted(const std::string& word) {
@@ -76,43 +57,35 @@ RecordingFolder::RecordingFolder(const fs::path& folder, ScanFormat format, cons
     : folder_(folder), format_(format) {
   make_folder(folder / "labels");
   make_folder(folder / "scene");
-  if (format == ScanFormat::pcd) make_folder(folder / "scans");
-  if (format == ScanFormat::kitti) make_folder(folder / "velodyne");
+  if (format == ScanFormat::pcd) scans_ = scans_in_folder(folder, CloudFile::pcd);
+  if (format == ScanFormat::kitti) scans_ = scans_in_folder(folder, CloudFile::kitti);
+  if (format == ScanFormat::bag) scans_ = scans_in_bag(folder / "scans.bag");
   if (format == ScanFormat::pcap) packets_.emplace(folder / "scans.pcap", lidar);
-  if (format != ScanFormat::bag) return;
-  bag_.emplace(folder / "scans.bag");
-  connection_ = bag_->add_connection({0, std::string(kTopic), std::string(kPointCloud2Type),
-                                      std::string(kPointCloud2Md5), std::string(kPointCloud2Definition), 0});
 }
 
 void RecordingFolder::write(std::size_t index, const LabelledScan& labelled) {
-  if (packets_) packets_->write(labelled.scan);
-  PointRecords records = to_records(labelled.scan.cloud);
-  if (format_ == ScanFormat::pcd) write_pcd(folder_ / "scans" / numbered(index, ".pcd"), records);
-  if (format_ == ScanFormat::kitti) write_kitti_bin(folder_ / "velodyne" / numbered(index, ".bin"), records);
-  if (format_ == ScanFormat::bag) {
-    const double stamp = labelled.scan.stamp;
-    const std::vector<std::byte> message = serialize_point_cloud2({stamp, "lidar", std::move(records)});
-    bag_->write(connection_, std::uint64_t(std::llround(stamp * 1e9)), message);
-  }
-  OutputFile labels(folder_ / "labels" / numbered(index, ".bin"));
+  if (packets_)
+    packets_->write(labelled.scan);
+  else
+    scans_.write(index, labelled.scan);
+  std::array<char, 32> name{};
+  std::snprintf(name.data(), name.size(), "%06zu.bin", index);
+  OutputFile labels(folder_ / "labels" / name.data());
   labels.write(std::as_bytes(std::span(labelled.labels)));
   labels.close();
 }
 
 void RecordingFolder::close() {
-  if (bag_) bag_->close();
-  if (packets_) packets_->close();
+  if (packets_)
+    packets_->close();
+  else
+    scans_.close();
 }
 
 void RecordingFolder::write_truth(const Simulator& simulator) {
-  std::string times;
-  std::array<char, 32> line{};
-  for (std::size_t i = 0; i < simulator.size(); ++i) {
-    std::snprintf(line.data(), line.size(), "%.9f\n", simulator.stamp(i));
-    times += line.data();
-  }
-  write_text(folder_ / "times.txt", times);
+  std::vector<double> stamps;
+  for (std::size_t i = 0; i < simulator.size(); ++i) stamps.push_back(simulator.stamp(i));
+  write_times(folder_ / "times.txt", stamps);
   write_tum(folder_ / "truth.tum", simulator.truth());
   write_text(folder_ / "scene" / "mesh.ply", ply_of(simulator.world().mesh()));
 }

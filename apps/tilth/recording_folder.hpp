@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "packet_recording.hpp"
-#include <tilth/io/rosbag1_writer.hpp>
+#include "scan_writer.hpp"
 #include <tilth/simulation/simulator.hpp>
 
 namespace tilth::app {
@@ -31,9 +31,8 @@ class RecordingFolder {
  private:
   std::filesystem::path folder_;
   ScanFormat format_;
-  std::optional<Rosbag1Writer> bag_;
-  std::optional<PacketRecording> packets_;
-  std::uint32_t connection_ = 0;
+  ScanWriter scans_;                        // unless they are packets
+  std::optional<PacketRecording> packets_;  // of pcap
 };
 
 }  // namespace tilth::app

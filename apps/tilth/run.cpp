@@ -25,7 +25,7 @@ struct RunArguments {
   std::string source, out, truth;
   OptionArguments options;
   SourceOptions input;
-  OptionValues map, report;
+  RecordValues record;
   LoopOptions loop;
   int threads = 0;  // zero: as many as there are processors
   bool quiet = false;
@@ -35,7 +35,7 @@ struct RunArguments {
 RunEnd register_all(const RunArguments& arguments, const PipelineChoice& choice, RunRecord& record, Console& console) {
   const std::unique_ptr<Odometry> odometry = make_odometry(choice.name, choice.values);
   const std::unique_ptr<ScanSource> source = open_source(arguments.source, arguments.input);
-  prepare_output_folder(arguments.out, run_files());
+  prepare_output_folder(arguments.out, run_files(record.output));
   remember_interrupts();
   const Stopwatch stopwatch;
   RegistrationLoop loop(*source, *odometry, record, console);
@@ -73,8 +73,7 @@ int run(const RunArguments& arguments) {
   std::optional<PoseFile> truth;
   if (!arguments.truth.empty()) truth = read_pose_file(arguments.truth);
   const PipelineChoice choice = choose_pipeline(arguments.options);
-  RunRecord record = new_record(arguments.source, choice, arguments.map);
-  record.report = with<ReportOptions>(arguments.report);
+  RunRecord record = new_record(arguments.source, choice, arguments.record);
   const RunEnd end = register_all(arguments, choice, record, console);
   if (record.trajectory.empty() && end != RunEnd::interrupted) {
     const std::string reason = record.skipped.empty() ? "it is empty" : record.skipped.front().what;
@@ -89,7 +88,9 @@ int run(const RunArguments& arguments) {
 }
 
 void add_input_options(CLI::App& command, RunArguments& a) {
-  command.add_option("SOURCE", a.source, "folder of scans, KITTI sequence, bag, network capture or sim://SCENE")
+  command
+      .add_option("SOURCE", a.source,
+                  "folder of scans, KITTI sequence, bag, network capture, udp://:PORT or sim://SCENE")
       ->required();
   command.add_option("--topic", a.input.topic, "point cloud topic of a bag with several");
   command.add_option("--rate", a.input.rate, "[Hz] of scans without recorded times")->check(CLI::PositiveNumber);
@@ -100,8 +101,9 @@ void add_input_options(CLI::App& command, RunArguments& a) {
 
 void add_output_options(CLI::App& command, RunArguments& a) {
   command.add_option("--out", a.out, "folder for the results; made where missing")->required();
-  add_option_flags(command, describe(MapOptions{}), a.map);
-  add_option_flags(command, describe(ReportOptions{}), a.report);
+  add_option_flags(command, describe(MapOptions{}), a.record.map);
+  add_option_flags(command, describe(OutputOptions{}), a.record.output);
+  add_option_flags(command, describe(ReportOptions{}), a.record.report);
   command.add_option("--truth", a.truth, "true trajectory (TUM or KITTI) to judge the run by, first poses made equal");
   command.add_flag("--quiet", a.quiet, "print errors only");
 }

@@ -1,9 +1,8 @@
 #include "run_report.hpp"
 
-#include "machine.hpp"
-
 #include <cstdio>
 
+#include "machine.hpp"
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/output/evaluation_report.hpp>
 #include <tilth/output/summary_json.hpp>
@@ -38,7 +37,7 @@ std::string speed_line(const RunFigures& figures, double megabytes) {
 
 }  // namespace
 
-RunRecord new_record(const std::string& source, const PipelineChoice& choice, const OptionValues& map) {
+RunRecord new_record(const std::string& source, const PipelineChoice& choice, const RecordValues& values) {
   RunRecord record;
   record.version = TILTH_VERSION;
   record.source = source;
@@ -46,7 +45,9 @@ RunRecord new_record(const std::string& source, const PipelineChoice& choice, co
   record.machine = machine_name();
   record.options = describe_odometry(choice.name, choice.values);
   record.defaults = describe_odometry(choice.name, {});
-  record.map = MapBuilder(with<MapOptions>(map));
+  record.map = MapBuilder(with<MapOptions>(values.map));
+  record.output = with<OutputOptions>(values.output);
+  record.report = with<ReportOptions>(values.report);
   return record;
 }
 
@@ -58,7 +59,7 @@ void report_run(const RunRecord& record, const std::string& folder, Console& con
   console.note(speed_line(figures, record.peak_megabytes));
   if (record.evaluation) console.note(evaluation_table(*record.evaluation));
   std::string files = "in " + folder + ":";
-  for (const std::string& file : run_files()) files += " " + file;
+  for (const std::string& file : run_files(record.output)) files += " " + file;
   console.note(files);
 }
 

@@ -9,8 +9,13 @@
 
 namespace tilth::app {
 
-/// A record without scans; `map` are the values of MapOptions.
-RunRecord new_record(const std::string& source, const PipelineChoice& choice, const OptionValues& map);
+/// Values of MapOptions, OutputOptions and ReportOptions.
+struct RecordValues {
+  OptionValues map, output, report;
+};
+
+/// A record without scans. Throws Error on an unknown key or bound, and as describe_odometry.
+RunRecord new_record(const std::string& source, const PipelineChoice& choice, const RecordValues& values);
 
 /// The figures of the run in a few lines, and where its files are.
 void report_run(const RunRecord& record, const std::string& folder, Console& console);

@@ -10,7 +10,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from needs import needs  # noqa: E402
 
-numpy, rosbags = needs("numpy", "rosbags")
+numpy, rosbags, zstd = needs("numpy", "rosbags", "backports.zstd")
 from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer  # noqa: E402
 from rosbags.typesys import Stores, get_typestore  # noqa: E402
 
@@ -78,6 +78,20 @@ def read_by_us(path):
     return messages, problem
 
 
+def check_split_and_packed_mcap(temporary, messages):
+    """A recording of two files, the second one packed, put together from two of the package."""
+    for i, part in enumerate((messages[:10], messages[10:])):
+        write_bag(temporary / f"part{i}", part, StoragePlugin.MCAP)
+    folder = temporary / "split"
+    folder.mkdir()
+    shutil.copy(next((temporary / "part0").glob("*.mcap")), folder / "split_0.mcap")
+    (folder / "split_1.mcap.zstd").write_bytes(zstd.compress(next((temporary / "part1").glob("*.mcap")).read_bytes()))
+    info = run(TILTH, "info", folder).stdout
+    assert "scans: 12 over 1.100 s" in info, info
+    (folder / "split_1.mcap.zstd").write_bytes(b"nothing packed")
+    assert "split_1.mcap.zstd: is no file packed" in run(TILTH, "info", folder).stderr
+
+
 with tempfile.TemporaryDirectory() as temporary:
     folder = pathlib.Path(temporary) / "a bag é"
     messages = some_messages()
@@ -95,7 +109,10 @@ with tempfile.TemporaryDirectory() as temporary:
     assert read_by_us(small) == (expected, "")
     packed = pathlib.Path(temporary) / "file"
     write_bag(packed, messages, StoragePlugin.SQLITE3, CompressionMode.FILE)
-    assert "files are compressed" in run(PROBE, "dump", packed).stderr
+    assert read_by_us(packed) == (expected, "")
+    for path in (packed, next(packed.glob("*.zstd"))):
+        assert "scans: 12 over 1.100 s" in run(TILTH, "info", path).stdout, path
+    check_split_and_packed_mcap(pathlib.Path(temporary), messages)
     (folder / "metadata.yaml").unlink()
     assert read_by_us(folder) == (expected, "")
 

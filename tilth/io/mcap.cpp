@@ -5,6 +5,7 @@
 #include <tilth/io/mcap.hpp>
 #include <tilth/io/mcap_record.hpp>
 #include <tilth/io/unpack.hpp>
+#include <tilth/io/unpacked_file.hpp>
 
 namespace tilth {
 namespace {
@@ -19,6 +20,9 @@ std::optional<std::vector<std::byte>> records_of(std::span<const std::byte> chun
 }
 
 }  // namespace
+
+/// An unpacked copy is open when its name is taken away.
+McapReader::McapReader(const std::filesystem::path& path) : McapReader(InputFile(UnpackedFile(path).path())) {}
 
 McapReader::McapReader(InputFile file) : file_(std::move(file)) {
   if (!mcap::begins_file(file_.read(0, mcap::kMagicSize))) throw Error(file_.name(), "is no MCAP file");

@@ -1,6 +1,7 @@
 // MCAP recordings (mcap.dev, version 0), read in the order of their log times. One walk over the records finds the
 // messages without the index at the end, so that a recording which crashed or was cut is read up to the break; it
-// unpacks every chunk once, reading unpacks them again. Memory: 32 bytes a message and one unpacked chunk.
+// unpacks every chunk once, reading unpacks them again. A file packed as a whole (.mcap.zstd) is unpacked beside.
+// Memory: 32 bytes a message and one unpacked chunk.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ namespace tilth {
 class McapReader {
  public:
   /// Throws Error where the file cannot be read or is no MCAP file. A damaged one opens: see problem().
-  explicit McapReader(const std::filesystem::path& path) : McapReader(InputFile(path)) {}
+  explicit McapReader(const std::filesystem::path& path);
   explicit McapReader(InputFile file);
 
   const std::vector<Connection>& connections() const { return connections_; }

@@ -10,6 +10,7 @@
 #include <tilth/io/rosbag2.hpp>
 #include <tilth/io/rosbag2_metadata.hpp>
 #include <tilth/io/unpack.hpp>
+#include <tilth/io/unpacked_file.hpp>
 
 namespace tilth {
 namespace {
@@ -50,13 +51,14 @@ struct Rosbag2Reader::Database {
   using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
   std::string name;
+  UnpackedFile file;
   std::unique_ptr<sqlite3, int (*)(sqlite3*)> handle{nullptr, sqlite3_close};
   Statement by_row{nullptr, sqlite3_finalize};
 
   /// Opens so that nothing is written, also where a recorder left its journal mode in a folder that is read-only.
-  explicit Database(const std::filesystem::path& path) : name(path.string()) {
+  explicit Database(const std::filesystem::path& path) : name(path.string()), file(path) {
     if (!std::filesystem::is_regular_file(path)) throw Error(name, "no such file");
-    if (!open(uri_of(path, "mode=ro")) && !open(uri_of(path, "immutable=1")))
+    if (!open(uri_of(file.path(), "mode=ro")) && !open(uri_of(file.path(), "immutable=1")))
       throw Error(name, "is no sqlite3 database that can be read: " + reason());
     sqlite3_limit(handle.get(), SQLITE_LIMIT_LENGTH, kLongestMessage);
     by_row = prepare("SELECT data FROM messages WHERE rowid = ?");
@@ -164,11 +166,12 @@ std::optional<Message> Rosbag2Reader::read(const Entry& entry) {
 }
 
 bool is_rosbag2(const std::filesystem::path& path) {
-  if (!std::filesystem::is_directory(path)) return path.extension() == ".db3";
+  if (!std::filesystem::is_directory(path)) return unpacked_name(path).extension() == ".db3";
   if (std::filesystem::exists(path / "metadata.yaml")) return true;
   const std::filesystem::directory_iterator files(path), end;
   return std::any_of(files, end, [](const auto& entry) {
-    return entry.path().extension() == ".db3" || entry.path().extension() == ".mcap";
+    const std::filesystem::path kind = unpacked_name(entry.path()).extension();
+    return kind == ".db3" || kind == ".mcap";
   });
 }
 

@@ -1,6 +1,6 @@
 // ROS 2 bags stored by sqlite3, read in the order of their stamps: a .db3 file, or a folder of one or more of them with
-// the metadata.yaml that lists them. Messages may be compressed one by one (zstd); bags compressed as files are refused
-// by name. Memory: 24 bytes a message and one message.
+// the metadata.yaml that lists them. Messages may be compressed one by one (zstd), or the files as a whole (.db3.zstd),
+// which are unpacked into the temporary folder. Memory: 24 bytes a message and one message.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace tilth {
 
 class Rosbag2Reader {
  public:
-  /// Throws Error where a file cannot be read, is no such bag, or is compressed.
+  /// Throws Error where a file cannot be read or is no such bag.
   explicit Rosbag2Reader(const std::filesystem::path& path);
   ~Rosbag2Reader();
   Rosbag2Reader(Rosbag2Reader&&) noexcept;
@@ -53,7 +53,7 @@ class Rosbag2Reader {
   std::string problem_;
 };
 
-/// A .db3 file, or a folder that holds a ROS 2 bag, of .mcap files too.
+/// A .db3 or .db3.zstd file, or a folder that holds a ROS 2 bag, of .mcap files too.
 bool is_rosbag2(const std::filesystem::path& path);
 
 }  // namespace tilth

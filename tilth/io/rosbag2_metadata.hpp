@@ -6,8 +6,8 @@
 
 namespace tilth {
 
-/// The files of the bag in `folder`, in order: those its metadata.yaml lists, else every .db3 and .mcap. Throws Error
-/// where there are none, the metadata is damaged, or the bag's files are compressed or stored otherwise.
+/// The files of the bag in `folder`, in order: those its metadata.yaml lists, else every .db3 and .mcap, packed or not.
+/// Throws Error where there are none, the metadata is damaged, or the bag is stored otherwise.
 std::vector<std::filesystem::path> rosbag2_files(const std::filesystem::path& folder);
 
 }  // namespace tilth

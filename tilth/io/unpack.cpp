@@ -70,6 +70,27 @@ std::optional<Bytes> unpack(std::string_view compression, std::span<const std::b
   return Bytes(packed.begin(), packed.end());
 }
 
+bool unpack_zstd_file(const InputFile& packed, const std::function<void(std::span<const std::byte>)>& take) {
+  const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+  Bytes plain(kStep);
+  std::size_t hint = 1;
+  for (std::uint64_t position = 0; position < packed.size();) {
+    const Bytes bytes = packed.read(position, kStep);
+    if (bytes.empty()) return false;
+    position += bytes.size();
+    ZSTD_inBuffer input{bytes.data(), bytes.size(), 0};
+    bool full = false;  // there may be more to give though all was taken
+    while (input.pos < input.size || full) {
+      ZSTD_outBuffer output{plain.data(), plain.size(), 0};
+      hint = ZSTD_decompressStream(context.get(), &output, &input);
+      if (ZSTD_isError(hint) != 0) return false;
+      take(std::span(plain).first(output.pos));
+      full = output.pos == output.size && hint != 0;
+    }
+  }
+  return hint == 0;
+}
+
 Bytes pack_zstd(std::span<const std::byte> plain) {
   constexpr int kFast = 1;
   Bytes packed(ZSTD_compressBound(plain.size()));

@@ -45,8 +45,9 @@ std::string first_line(const fs::path& path) {
   return std::string(text.substr(0, text.find('\n') + 1));
 }
 
-fs::path emptied(const fs::path& folder, bool anew) {
-  for (const std::string& file : anew ? run_files() : std::vector<std::string>{}) fs::remove(folder / file);
+const fs::path& emptied(const fs::path& folder, const OutputOptions& options) {
+  for (const std::string& file : run_files(options)) fs::remove(folder / file);
+  fs::remove(folder / kMap);
   return folder;
 }
 
@@ -64,8 +65,8 @@ std::vector<std::string> continue_run(const fs::path& folder, RunRecord& record)
   return {};
 }
 
-RunJournal::RunJournal(const fs::path& folder, bool anew)
-    : folder_(emptied(folder, anew)), poses_(folder / kPoses, anew), rows_(folder / kRows, anew) {}
+RunJournal::RunJournal(const fs::path& folder, const OutputOptions& options, bool anew)
+    : folder_(anew ? emptied(folder, options) : folder), poses_(folder / kPoses, anew), rows_(folder / kRows, anew) {}
 
 RunJournal::~RunJournal() = default;
 
@@ -107,7 +108,13 @@ std::string RunJournal::checkpoint(const RunRecord& record) {
 
 std::vector<std::string> RunJournal::finish(const RunRecord& record) {
   if (saving_.valid()) saving_.wait();
-  return write_run(folder_, record, {kPoses, kRows});
+  std::vector<std::string> failures = write_run(folder_, record, {kPoses, kRows, kMap});
+  try {
+    write_pcd(folder_ / kMap, record.map.records());
+  } catch (const std::exception& error) {
+    failures.emplace_back(error.what());
+  }
+  return failures;
 }
 
 }  // namespace tilth

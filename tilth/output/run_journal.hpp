@@ -22,7 +22,7 @@ std::vector<std::string> continue_run(const std::filesystem::path& folder, RunRe
 class RunJournal {
  public:
   /// Goes on with the files in `folder`, or, anew, takes those of an earlier run away. Throws Error where that fails.
-  RunJournal(const std::filesystem::path& folder, bool anew);
+  RunJournal(const std::filesystem::path& folder, const OutputOptions& options, bool anew);
   ~RunJournal();
   RunJournal(const RunJournal&) = delete;
   RunJournal& operator=(const RunJournal&) = delete;

@@ -1,10 +1,13 @@
 #include <functional>
 
 #include <tilth/core/error.hpp>
+#include <tilth/io/las.hpp>
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/pcd.hpp>
+#include <tilth/io/ply.hpp>
 #include <tilth/io/trajectory_file.hpp>
 #include <tilth/output/html_report.hpp>
+#include <tilth/output/run_mcap.hpp>
 #include <tilth/output/run_record.hpp>
 #include <tilth/output/run_report.hpp>
 #include <tilth/output/summary_json.hpp>
@@ -17,32 +20,40 @@ struct RunFile {
   std::function<void(const std::filesystem::path&, const RunRecord&)> write;
 };
 
-const std::vector<RunFile>& files() {
+/// Every file that `options` ask for.
+std::vector<RunFile> files(const OutputOptions& options) {
   using Path = std::filesystem::path;
-  static const std::vector<RunFile> all{
+  std::vector<RunFile> all{
       {"trajectory.tum", [](const Path& path, const RunRecord& run) { write_tum(path, run.trajectory); }},
       {"trajectory_kitti.txt", [](const Path& path, const RunRecord& run) { write_kitti_poses(path, run.trajectory); }},
       {"scans.csv", [](const Path& path, const RunRecord& run) { write_scan_table(path, run.scans); }},
-      {"summary.json", [](const Path& path, const RunRecord& run) { write_text(path, summary_json(run)); }},
-      {"map.pcd", [](const Path& path, const RunRecord& run) { write_pcd(path, run.map.records()); }},
-      {"report.html", [](const Path& path, const RunRecord& run) {
-         write_report(path.parent_path(), report_of(run, run.report.points));
-       }}};
+      {"summary.json", [](const Path& path, const RunRecord& run) { write_text(path, summary_json(run)); }}};
+  const std::set<std::string> maps = map_formats(options);
+  if (maps.contains("pcd"))
+    all.push_back({"map.pcd", [](const Path& path, const RunRecord& run) { write_pcd(path, run.map.records()); }});
+  if (maps.contains("ply"))
+    all.push_back({"map.ply", [](const Path& path, const RunRecord& run) { write_ply(path, run.map.records()); }});
+  if (maps.contains("las"))
+    all.push_back({"map.las", [](const Path& path, const RunRecord& run) { write_las(path, run.map.records()); }});
+  all.push_back({"report.html", [](const Path& path, const RunRecord& run) {
+                   write_report(path.parent_path(), report_of(run, run.report.points));
+                 }});
+  if (options.mcap) all.push_back({"run.mcap", write_run_mcap});
   return all;
 }
 
 }  // namespace
 
-std::vector<std::string> run_files() {
+std::vector<std::string> run_files(const OutputOptions& options) {
   std::vector<std::string> names;
-  for (const RunFile& file : files()) names.push_back(file.name);
+  for (const RunFile& file : files(options)) names.push_back(file.name);
   return names;
 }
 
 std::vector<std::string> write_run(const std::filesystem::path& folder, const RunRecord& record,
                                    const std::set<std::string>& kept) {
   std::vector<std::string> failures;
-  for (const RunFile& file : files()) {
+  for (const RunFile& file : files(record.output)) {
     if (kept.contains(file.name)) continue;
     try {
       file.write(folder / file.name, record);

@@ -11,6 +11,7 @@
 #include <tilth/core/trajectory.hpp>
 #include <tilth/evaluation/evaluate.hpp>
 #include <tilth/output/map_builder.hpp>
+#include <tilth/output/output_options.hpp>
 #include <tilth/output/scan_table.hpp>
 
 namespace tilth {
@@ -43,17 +44,19 @@ struct RunRecord {
   Trajectory trajectory;
   ScanTable scans;
   MapBuilder map{MapOptions{}};
+  OutputOptions output;
   std::optional<Evaluation> evaluation;  ///< where the truth is known
   double wall_seconds = 0.0;             ///< [s] of the whole run, files not counted
   double peak_megabytes = 0.0;           ///< [MB] resident
 };
 
-/// The names of the files that write_run makes.
-std::vector<std::string> run_files();
+/// The names of the files that write_run makes. Throws Error as map_formats.
+std::vector<std::string> run_files(const OutputOptions& options);
 
-/// Writes trajectory.tum, trajectory_kitti.txt, map.pcd, scans.csv, summary.json and report.html (with plots/) into
-/// `folder`. A file that cannot be written does not keep the others from it. Returns what went wrong, one sentence a
-/// file. `kept` are files that are left as they stand.
+/// Writes trajectory.tum, trajectory_kitti.txt, scans.csv, summary.json, report.html (with plots/) and, as
+/// `record.output` says, the map (map.pcd, map.ply, map.las) and run.mcap into `folder`. A file that cannot be written
+/// does not keep the others from it. Returns what went wrong, one sentence a file. `kept` are files that are left as
+/// they stand.
 std::vector<std::string> write_run(const std::filesystem::path& folder, const RunRecord& record,
                                    const std::set<std::string>& kept = {});
 

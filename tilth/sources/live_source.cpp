@@ -107,8 +107,9 @@ std::vector<std::string> LiveSource::notices() const {
 
 LiveCounts LiveSource::counts() const {
   const ReceiverCounts packets = receiver_->counts();
+  const bool caught_up = receiver_->caught_up();
   const std::lock_guard lock(mutex_);
-  return {packets, scans_, dropped_};
+  return {packets, scans_, dropped_, caught_up};
 }
 
 LiveAddress parse_live_uri(const std::string& uri, const OptionValues& values) {

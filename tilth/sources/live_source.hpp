@@ -37,6 +37,7 @@ struct LiveCounts {
   ReceiverCounts packets;
   std::size_t scans = 0;    ///< decoded
   std::size_t dropped = 0;  ///< of these, those that made way
+  bool caught_up = false;   ///< what came before the sensor was recognised is decoded: from now on the newest win
 };
 
 class LiveSource : public ScanSource {

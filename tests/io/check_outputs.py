@@ -1,0 +1,121 @@
+"""What tilth run and tilth convert write for other programs: MCAP by the packages mcap and rosbags, LAS by laspy, each held
+against the PCD and TUM files of the same run. Argument: the program tilth."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+from needs import needs  # noqa: E402
+
+numpy, laspy, mcap, mcap_ros2, rosbags, pypcd4 = needs("numpy", "laspy", "mcap", "mcap_ros2", "rosbags", "pypcd4")
+from mcap.reader import make_reader  # noqa: E402
+from mcap_ros2.decoder import DecoderFactory  # noqa: E402
+from rosbags.highlevel import AnyReader  # noqa: E402
+from rosbags.typesys import Stores, get_typestore  # noqa: E402
+
+TILTH = sys.argv[1]
+SCENE = "sim://corridor?duration=1.2&seed=4&sensor=vlp16"
+
+
+def tilth(*arguments):
+    done = subprocess.run([TILTH, *map(str, arguments)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def seconds(stamp):
+    return stamp.sec + 1e-9 * stamp.nanosec
+
+
+def pose_of(position, q):
+    return [position.x, position.y, position.z, q.x, q.y, q.z, q.w]
+
+
+def cloud_of(message, fields):
+    dtype = numpy.dtype({"names": fields, "formats": ["f4"] * len(fields),
+                         "offsets": [f.offset for name in fields for f in message.fields if f.name == name],
+                         "itemsize": message.point_step})
+    return numpy.frombuffer(bytes(message.data), dtype)
+
+
+def close(a, b, tolerance):
+    return numpy.abs(numpy.asarray(a, float) - numpy.asarray(b, float)).max() <= tolerance
+
+
+def read_mcap(path):
+    with open(path, "rb") as file:
+        reader = make_reader(file, decoder_factories=[DecoderFactory()], validate_crcs=True)
+        statistics = reader.get_summary().statistics
+        messages = [(channel.topic, schema.name, message.log_time, decoded)
+                    for schema, channel, message, decoded in reader.iter_decoded_messages()]
+    assert statistics.message_count == len(messages)
+    return messages
+
+
+def check_run(folder):
+    out = folder / "run"
+    tilth("run", SCENE, "--out", out, "--map-format", "pcd,ply,las", "--mcap", "--quiet")
+    poses = numpy.loadtxt(out / "trajectory.tum", ndmin=2)
+    points = pypcd4.PointCloud.from_path(out / "map.pcd").numpy(("x", "y", "z", "intensity"))
+    check_map_las(laspy.read(out / "map.las"), points)
+    messages = read_mcap(out / "run.mcap")
+    by_topic = {topic: [(t, m) for name, _, t, m in messages if name == topic] for topic, *_ in messages}
+    assert {topic: len(found) for topic, found in by_topic.items()} == {
+        "/path": 1, "/map": 1, "/tf": len(poses), "/odometry": len(poses)}
+    cloud = cloud_of(by_topic["/map"][0][1], ["x", "y", "z", "intensity"])
+    assert all(numpy.array_equal(cloud[name], points[:, i]) for i, name in enumerate(cloud.dtype.names))
+    path = by_topic["/path"][0][1]
+    assert path.header.frame_id == "world"
+    for row, (t, odometry), (_, tf), in_path in zip(poses, by_topic["/odometry"], by_topic["/tf"], path.poses, strict=True):
+        transform = tf.transforms[0]
+        assert (odometry.header.frame_id, odometry.child_frame_id) == ("world", "lidar")
+        assert (transform.header.frame_id, transform.child_frame_id) == ("world", "lidar")
+        assert abs(t * 1e-9 - row[0]) < 1e-6 and abs(seconds(odometry.header.stamp) - row[0]) < 2e-9
+        for other in (pose_of(odometry.pose.pose.position, odometry.pose.pose.orientation),
+                      pose_of(transform.transform.translation, transform.transform.rotation),
+                      pose_of(in_path.pose.position, in_path.pose.orientation)):
+            assert close(row[1:4], other[:3], 1e-12)
+            assert min(numpy.abs(row[4:] - other[3:]).max(), numpy.abs(row[4:] + other[3:]).max()) < 1e-9
+        covariance = numpy.reshape(odometry.pose.covariance, (6, 6))
+        assert close(covariance, covariance.T, 1e-18) and (numpy.linalg.eigvalsh(covariance) > -1e-15).all()
+    with AnyReader([out / "run.mcap"], default_typestore=get_typestore(Stores.ROS2_HUMBLE)) as reader:
+        kinds = {reader.deserialize(raw, connection.msgtype).__msgtype__ for connection, _, raw in reader.messages()}
+    assert kinds == {"nav_msgs/msg/Path", "sensor_msgs/msg/PointCloud2", "tf2_msgs/msg/TFMessage", "nav_msgs/msg/Odometry"}
+
+
+def check_map_las(las, points):
+    assert str(las.header.version) == "1.4" and las.header.point_format.id == 6
+    assert len(las.points) == len(points) == las.header.number_of_points_by_return[0]
+    assert close(las.xyz, points[:, :3], 0.51e-4)
+    assert close(las.intensity, points[:, 3].round(), 0)
+    assert close(las.header.mins, points[:, :3].min(0), 1e-4) and close(las.header.maxs, points[:, :3].max(0), 1e-4)
+
+
+def check_scans(folder):
+    for target in ("scans.mcap", "scans.bag", "pcd", "las"):
+        more = ("--format", target) if "." not in target else ()
+        tilth("convert", SCENE, folder / target, *more, "--quiet")
+    stamps = numpy.loadtxt(folder / "pcd" / "times.txt")
+    clouds = [pypcd4.PointCloud.from_path(path) for path in sorted((folder / "pcd" / "scans").iterdir())]
+    messages = read_mcap(folder / "scans.mcap")
+    assert len(messages) == len(clouds) == len(stamps) > 5
+    las = [laspy.read(path) for path in sorted((folder / "las" / "scans").iterdir())]
+    for stamp, cloud, (topic, kind, t, message), scan in zip(stamps, clouds, messages, las, strict=True):
+        assert (topic, kind) == ("/points", "sensor_msgs/msg/PointCloud2")
+        assert abs(seconds(message.header.stamp) - stamp) < 2e-9 and abs(t * 1e-9 - stamp) < 1e-6
+        assert [f.name for f in message.fields] == list(cloud.fields) == ["x", "y", "z", "intensity", "ring", "time"]
+        assert bytes(message.data) == cloud.pc_data.tobytes()
+        x, y, z, ring, time = cloud.numpy(("x", "y", "z", "ring", "time")).T
+        assert close(scan.xyz, numpy.stack([x, y, z], 1), 0.51e-4)
+        assert close(scan.user_data, ring, 0) and close(scan.gps_time, stamp + time, 1e-9)
+    with AnyReader([folder / "scans.bag"]) as reader:
+        assert [bytes(reader.deserialize(raw, c.msgtype).data) for c, _, raw in reader.messages()] == [
+            bytes(message.data) for *_, message in messages]
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    check_run(pathlib.Path(temporary))
+    check_scans(pathlib.Path(temporary))
+print("other programs read what is written")
