@@ -79,7 +79,7 @@ Target open_target(const ConvertArguments& arguments) {
 }
 
 int convert_scans(const ConvertArguments& arguments, Console& console) {
-  const std::unique_ptr<ScanSource> source = open_source(arguments.source, arguments.input);
+  const std::unique_ptr<ScanSource> source = open_source(arguments.source, stopped_by_signals(arguments.input));
   const Target target = open_target(arguments);
   std::vector<double> stamps;
   while ((arguments.max_scans == 0 || stamps.size() < arguments.max_scans) && interrupted() == 0) {

@@ -41,7 +41,7 @@ std::vector<std::string> skipped_lines(const ScanSource& source) {
 }
 
 int info(const InfoArguments& arguments) {
-  const std::unique_ptr<ScanSource> source = open_source(arguments.source, arguments.input);
+  const std::unique_ptr<ScanSource> source = open_source(arguments.source, stopped_by_signals(arguments.input));
   remember_interrupts();
   Console console(false);
   ScanSurvey survey;

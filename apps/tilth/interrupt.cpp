@@ -25,6 +25,11 @@ int interrupted() {
   return last_signal;
 }
 
+SourceOptions stopped_by_signals(SourceOptions options) {
+  options.stopped = [] { return interrupted() != 0; };
+  return options;
+}
+
 int signal_exit_code() {
   constexpr int kSignalExit = 128;
   return kSignalExit + interrupted();

@@ -1,6 +1,8 @@
 // Ctrl-C and SIGTERM as a question that long loops ask; the second one ends the program at once.
 #pragma once
 
+#include <tilth/sources/open_source.hpp>
+
 namespace tilth::app {
 
 /// From now on the first SIGINT or SIGTERM is only remembered.
@@ -8,6 +10,9 @@ void remember_interrupts();
 
 /// The signal that came, or zero.
 int interrupted();
+
+/// `options` with Ctrl-C as the end of a live source.
+SourceOptions stopped_by_signals(SourceOptions options);
 
 /// As a shell says that this signal ended a program: 128 and its number.
 int signal_exit_code();

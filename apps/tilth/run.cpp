@@ -34,7 +34,7 @@ struct RunArguments {
 /// Registers what the source has, whatever the end.
 RunEnd register_all(const RunArguments& arguments, const PipelineChoice& choice, RunRecord& record, Console& console) {
   const std::unique_ptr<Odometry> odometry = make_odometry(choice.name, choice.values);
-  const std::unique_ptr<ScanSource> source = open_source(arguments.source, arguments.input);
+  const std::unique_ptr<ScanSource> source = open_source(arguments.source, stopped_by_signals(arguments.input));
   prepare_output_folder(arguments.out, run_files(record.output));
   remember_interrupts();
   const Stopwatch stopwatch;

@@ -2,6 +2,7 @@
 // any other exception, a wrong result or a crash is a finding.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -24,6 +25,7 @@
 #include <tilth/io/rosbag1.hpp>
 #include <tilth/io/rosbag2.hpp>
 #include <tilth/io/times_file.hpp>
+#include <tilth/io/unpack.hpp>
 #include <tilth/sensor/packet_decoder.hpp>
 #include <tilth/sensor/packet_message.hpp>
 #include <tilth/sensor/point_cloud2.hpp>
@@ -100,6 +102,13 @@ inline void mcap(Bytes bytes) {
   }
 }
 
+inline void zstd_file(Bytes bytes) {
+  std::uint64_t most = 0;
+  unpack_zstd_file(InputFile(bytes, "fuzzed"),
+                   [&](Bytes piece) { most = std::max<std::uint64_t>(most, piece.size()); });
+  require(most <= kMostUnpacked);
+}
+
 inline void rosbag2(Bytes bytes) {
   const TemporaryFile file(bytes);
   Rosbag2Reader reader(file.path());
@@ -167,6 +176,7 @@ inline constexpr std::array kTargets{
     Target{"packet_message", packet_message},
     Target{"rosbag2", rosbag2},
     Target{"mcap", mcap},
+    Target{"zstd_file", zstd_file},
 };
 
 inline void run(const Target& target, Bytes bytes) {

@@ -62,9 +62,9 @@ void LiveSource::decode() {
 }
 
 void LiveSource::hand_over(Scan scan) {
-  const bool backlog = !receiver_->caught_up();
+  const bool patient = !receiver_->caught_up() || receiver_->ended();  // after the end nothing newer comes
   std::unique_lock lock(mutex_);
-  if (backlog) changed_.wait(lock, [&] { return waiting_.size() < queue_ || stopping_; });
+  if (patient) changed_.wait(lock, [&] { return waiting_.size() < queue_ || stopping_; });
   if (waiting_.size() >= queue_) {
     waiting_.pop_front();
     ++dropped_;

@@ -110,6 +110,11 @@ bool PacketReceiver::caught_up() const {
   return caught_up_;
 }
 
+bool PacketReceiver::ended() const {
+  const std::lock_guard lock(mutex_);
+  return ended_;
+}
+
 void PacketReceiver::expect_backlog() {
   const std::lock_guard lock(mutex_);
   caught_up_ = false;

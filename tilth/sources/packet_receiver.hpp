@@ -59,6 +59,7 @@ class PacketReceiver {
 
   /// False from expect_backlog() until next() finds the queue empty.
   bool caught_up() const;
+  bool ended() const;
   void expect_backlog();
 
   ReceiverCounts counts() const;
