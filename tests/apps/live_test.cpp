@@ -1,6 +1,7 @@
 // tilth play and tilth live over the loopback: the same trajectory as without a network; killed, and gone on with.
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -29,11 +30,11 @@ class Live : public testing::Test {
   }
 
   /// Starts tilth live and waits until it listens.
-  Program live(const std::string& out, std::vector<std::string> more) const {
+  std::unique_ptr<Program> live(const std::string& out, std::vector<std::string> more) const {
     std::vector<std::string> arguments{"live", "udp://" + address(), "--out", in(out)};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    Program program(arguments);
-    while (program.running() && program.out_so_far().empty()) rest();
+    auto program = std::make_unique<Program>(arguments);
+    while (program->running() && program->out_so_far().empty()) rest();
     return program;
   }
 
@@ -56,9 +57,9 @@ TEST_F(Live, APlayedRecordingGivesTheTrajectoryOfTheSimulation) {
   for (const std::string sensor : {"leishen_c16", "vlp16"}) {
     SCOPED_TRACE(sensor);
     record(sensor, "4");
-    const Program program = live(sensor, {"--idle", "1", "--queue", "100"});
+    const auto program = live(sensor, {"--idle", "1", "--queue", "100"});
     ASSERT_EQ(tilth(play("2")).exit_code, 0);
-    const Outcome outcome = program.wait();
+    const Outcome outcome = program->wait();
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.out.find("dropped"), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.err, "");
@@ -77,11 +78,11 @@ TEST_F(Live, APlayedRecordingGivesTheTrajectoryOfTheSimulation) {
 
 TEST_F(Live, SigtermEndsItWithEveryFileWritten) {
   record("vlp16", "5");
-  const Program program = live("out", {});
+  const auto program = live("out", {});
   const Program player(play("1"));
-  while (program.running() && player.running() && poses_in("out") < 5) rest();
-  program.signal(SIGTERM);
-  const Outcome outcome = program.wait();
+  while (program->running() && player.running() && poses_in("out") < 5) rest();
+  program->signal(SIGTERM);
+  const Outcome outcome = program->wait();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   player.signal(SIGINT);
   EXPECT_EQ(player.wait().exit_code, 128 + SIGINT);
@@ -98,22 +99,22 @@ TEST_F(Live, SigtermEndsItWithEveryFileWritten) {
 
 TEST_F(Live, IsKilledAndGoesOn) {
   record("vlp16", "5");
-  const Program program = live("out", {"--checkpoint", "0.2"});
+  const auto program = live("out", {"--checkpoint", "0.2"});
   const Program player(play("1"));
   const auto map_is_there = [&] { return std::filesystem::exists(folder_ / "out/map.pcd"); };
-  while (program.running() && player.running() && (poses_in("out") < 10 || !map_is_there())) rest();
+  while (program->running() && player.running() && (poses_in("out") < 10 || !map_is_there())) rest();
   const std::size_t seen = poses_in("out");
-  program.signal(SIGKILL);
-  EXPECT_EQ(program.wait().exit_code, 128 + SIGKILL);
+  program->signal(SIGKILL);
+  EXPECT_EQ(program->wait().exit_code, 128 + SIGKILL);
   player.signal(SIGINT);
   player.wait();
   const Trajectory before = read_tum(folder_ / "out/trajectory.tum");
   EXPECT_GE(before.size(), seen) << "no pose that was there is lost";
   const std::size_t points = read_pcd(folder_ / "out/map.pcd").count;
 
-  const Program resumed = live("out", {"--resume", "--idle", "1"});
+  const auto resumed = live("out", {"--resume", "--idle", "1"});
   ASSERT_EQ(tilth(play("2")).exit_code, 0);
-  const Outcome outcome = resumed.wait();
+  const Outcome outcome = resumed->wait();
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("resumed: " + std::to_string(before.size()) + " poses"), std::string::npos) << outcome.out;
   const Trajectory all = read_tum(folder_ / "out/trajectory.tum");
