@@ -93,7 +93,7 @@ TEST_F(Convert, RefusesWhatItWouldDestroyOrCannotDo) {
   refused(convert("sim/scans.pcap", "sim/scans.pcap", {"--force"}), "is the source itself");
   refused(convert("pcd", "scans.pcap"), "holds no packets");
   refused(convert("sim/scans.pcap", "scans.db3"), "expected .pcap, .bag, .mcap");
-  refused(convert("sim/scans.pcap", "other", {"--format", "e57"}), "pcd, ply, las");
+  refused(convert("sim/scans.pcap", "other", {"--format", "e57"}), "pcd | ply | las");
   refused(convert("none.pcap", "other"), "no such file");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "scans.pcap"));
 }
