@@ -16,5 +16,6 @@ void add_convert(CLI::App& app, int& exit_code);
 void add_live(CLI::App& app, int& exit_code);
 void add_play(CLI::App& app, int& exit_code);
 void add_score_filter(CLI::App& app, int& exit_code);
+void add_view(CLI::App& app, int& exit_code);
 
 }  // namespace tilth::app

@@ -23,6 +23,7 @@ struct Curve {
   std::string name;
   std::vector<float> x, y;   ///< x is empty for boxes and bars
   std::vector<float> shade;  ///< of a path: the value that colours it at each point; else empty
+  bool truth = false;        ///< drawn as what the others are held against
 };
 
 /// A horizontal line across a plot.

@@ -62,6 +62,7 @@ Json curve_json(const Curve& whole, PlotKind kind, Arrays& arrays) {
   const Curve curve = thinned(whole, kMostPoints, kind);
   Json json{{"name", curve.name}, {"y", arrays.number_of(curve.y)}};
   if (!curve.x.empty()) json["x"] = arrays.number_of(curve.x);
+  if (curve.truth) json["truth"] = true;
   if (!curve.shade.empty()) json["shade"] = arrays.number_of(curve.shade);
   return json;
 }

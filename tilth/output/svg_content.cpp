@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 #include <tilth/output/curve_thinning.hpp>
 #include <tilth/output/distribution.hpp>
@@ -15,14 +16,22 @@ constexpr std::size_t kMostSegments = 500;  // of a path, each with a colour of 
 constexpr std::size_t kColors = 8;
 constexpr double kBarShare = 0.8;  // of the place of a category that its bars fill
 
+/// The numbers of the curves as they are drawn: the truth first, below the others.
+std::vector<std::size_t> drawing_order(const Plot& plot) {
+  std::vector<std::size_t> order(plot.curves.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t c) { return plot.curves[c].truth; });
+  return order;
+}
+
 void draw_lines(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
-  for (std::size_t c = 0; c < plot.curves.size(); ++c) {
+  for (const std::size_t c : drawing_order(plot)) {
     const Curve curve = thinned(plot.curves[c], kMostPoints, plot.kind);
     std::vector<SvgPoint> points;
     for (std::size_t i = 0; i < curve.y.size(); ++i) {
       if (std::isfinite(curve.x[i]) && std::isfinite(curve.y[i])) points.push_back(frame.at(curve.x[i], curve.y[i]));
     }
-    canvas.polyline(points, "curve " + curve_style(c));
+    canvas.polyline(points, "curve " + curve_style(plot, c));
   }
 }
 
@@ -50,7 +59,7 @@ void draw_boxes(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
   for (std::size_t c = 0; c < plot.curves.size(); ++c) {
     const BoxFigures box = box_figures(plot.curves[c].y);
     const double middle = double(c) + 0.5, half = 0.28;
-    const std::string style = curve_style(c);
+    const std::string style = curve_style(plot, c);
     canvas.line(frame.at(middle, box.p01), frame.at(middle, box.p99), "whisker");
     canvas.box(frame.at(middle - half, box.q1), frame.at(middle + half, box.q3), "box " + style);
     canvas.line(frame.at(middle - half, box.median), frame.at(middle + half, box.median), "median");
@@ -63,7 +72,7 @@ void draw_bars(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
   for (std::size_t c = 0; c < plot.curves.size(); ++c) {
     for (std::size_t i = 0; i < plot.curves[c].y.size(); ++i) {
       const double left = double(i) + (1 - kBarShare) / 2 + width * double(c);
-      canvas.box(frame.at(left, 0), frame.at(left + width, plot.curves[c].y[i]), "bar " + curve_style(c));
+      canvas.box(frame.at(left, 0), frame.at(left + width, plot.curves[c].y[i]), "bar " + curve_style(plot, c));
     }
   }
 }
@@ -78,7 +87,8 @@ void draw_histogram(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) 
 
 }  // namespace
 
-std::string curve_style(std::size_t n) {
+std::string curve_style(const Plot& plot, std::size_t n) {
+  if (plot.curves[n].truth) return "truth";
   return std::string("s").append(std::to_string(n % kColors));
 }
 

@@ -24,8 +24,8 @@ SvgFrame frame_of(const Plot& plot, double head);
 /// Draws the curves, marks and bands of `plot` into `frame`.
 void draw_content(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot);
 
-/// The class of the n-th curve: one of eight colours.
-std::string curve_style(std::size_t n);
+/// The class of the n-th curve: one of eight colours, or that of the truth.
+std::string curve_style(const Plot& plot, std::size_t n);
 
 /// The colour of `share`, 0 to 1, of a path that is coloured by a value.
 std::string shade_color(double share);

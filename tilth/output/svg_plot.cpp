@@ -18,7 +18,7 @@ std::vector<LegendEntry> entries_of(const Plot& plot) {
   std::vector<LegendEntry> entries;
   const bool named = plot.curves.size() > 1 && plot.kind != PlotKind::boxes;
   for (std::size_t c = 0; named && c < plot.curves.size(); ++c) {
-    entries.push_back({plot.curves[c].name, "curve " + curve_style(c), {}});
+    entries.push_back({plot.curves[c].name, "curve " + curve_style(plot, c), {}});
   }
   for (std::size_t m = 0; m < plot.marks.size(); ++m) {
     entries.push_back({plot.marks[m].name, "mark m" + std::to_string(m % 4), {}});

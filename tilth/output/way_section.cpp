@@ -33,6 +33,9 @@ Section way_section(const RunRecord& record, const std::optional<JudgedRun>& jud
     speed.push_back(speed_curve(*way, start, name));
     height.push_back(height_curve(*way, start, name));
   }
+  for (std::vector<Curve>* curves : {&above, &roll, &pitch, &yaw, &speed, &height}) {
+    if (judged) curves->back().truth = true;
+  }
   Section section{"way", "The way", "", {}, {}};
   Plot top;
   top.id = "top_view";

@@ -20,19 +20,19 @@ function enliven(figure, plot, report, timeline) {
   const make = plot.kind === "lines" ? linePlot : drawnPlot;
   const show = () => {
     figure.live?.remove();
-    figure.live = make(plot, { timeline, report, width: figure.clientWidth });
+    figure.live = make(plot, { timeline, report, width: drawing.clientWidth });
     drawing.replaceChildren(figure.live.element);
     figure.dataset.live = "yes";
   };
   show();
   onThemeChange(show);
-  let width = figure.clientWidth;
+  let width = drawing.clientWidth;
   new ResizeObserver(() => {
-    if (figure.clientWidth === width || figure.clientWidth === 0) return;
-    width = figure.clientWidth;
+    if (drawing.clientWidth === width || drawing.clientWidth === 0) return;
+    width = drawing.clientWidth;
     if (figure.live.resize) figure.live.resize(width);
     else show();
-  }).observe(figure);
+  }).observe(drawing);
 }
 
 function watchPlots(report, timeline) {

@@ -6,8 +6,9 @@ export function color(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
 }
 
-export function curveColor(number) {
-  return color(`s${number % 8}`);
+/** The colour of the n-th curve of a plot. */
+export function curveColor(curves, number) {
+  return color(curves[number].truth ? "true" : `s${number % 8}`);
 }
 
 export function isDark() {

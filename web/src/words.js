@@ -7,7 +7,7 @@ export function axisText(axis) {
 /** Four significant digits, whole numbers as they are. */
 export function numberText(value) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
-  if (Number.isInteger(value) && Math.abs(value) < 1e6) return String(value);
+  if (Number.isInteger(value) && Math.abs(value) < 1e6) return String(value).replace("-", "−");
   const text = value.toPrecision(4);
   return text.includes("e") ? text : String(Number(text)).replace("-", "−");
 }

@@ -2,7 +2,7 @@
 import * as THREE from "three";
 
 const kLines = 12; // about so many along the longer side
-const kLabelHeight = 0.045; // of the view
+const kLabelHeight = 0.034; // of the view
 
 export function gridStep(length) {
   const raw = length / kLines;
@@ -25,25 +25,38 @@ function label(text, color) {
   return sprite;
 }
 
+/** `box` grown to whole steps of its grid. */
+export function gridBox(box) {
+  const size = box.getSize(new THREE.Vector3());
+  const step = gridStep(Math.max(size.x, size.y, 1));
+  const out = (value, round) => round(value / step) * step;
+  const [low, high] = [box.min, box.max];
+  return new THREE.Box3(
+    new THREE.Vector3(out(low.x, Math.floor), out(low.y, Math.floor), low.z),
+    new THREE.Vector3(out(high.x, Math.ceil), out(high.y, Math.ceil), high.z),
+  );
+}
+
 /** Grid over `box` at its lower side, in `lineColor`; its labels in `textColor`. */
 export function makeGrid(box, lineColor, textColor) {
   const size = box.getSize(new THREE.Vector3());
   const step = gridStep(Math.max(size.x, size.y, 1));
-  const [x0, x1] = [Math.floor(box.min.x / step) * step, Math.ceil(box.max.x / step) * step];
-  const [y0, y1] = [Math.floor(box.min.y / step) * step, Math.ceil(box.max.y / step) * step];
-  const z = box.min.z;
+  const { min, max } = gridBox(box);
+  const [x0, x1, y0, y1, z] = [min.x, max.x, min.y, max.y, min.z];
   const group = new THREE.Group();
-  const ends = [];
+  const [ends, labels] = [[], []];
   for (let x = x0; x <= x1 + step / 2; x += step) {
     ends.push(x, y0, z, x, y1, z);
-    const sprite = label(`${Math.round(x * 1000) / 1000}${x + step > x1 + step / 2 ? " m" : ""}`, textColor);
-    sprite.position.set(x, y0 - 0.45 * step, z);
-    group.add(sprite);
+    labels.push([x, x + 2 * step > x1 + step / 2, x, y0 - 0.5 * step]);
   }
   for (let y = y0; y <= y1 + step / 2; y += step) {
     ends.push(x0, y, z, x1, y, z);
-    const sprite = label(`${Math.round(y * 1000) / 1000}${y + step > y1 + step / 2 ? " m" : ""}`, textColor);
-    sprite.position.set(x0 - 0.45 * step, y, z);
+    labels.push([y, y + 2 * step > y1 + step / 2, x0 - 0.5 * step, y]);
+  }
+  for (const [value, last, x, y] of labels) {
+    if (Math.round(value / step) % 2 !== 0) continue; // every other line
+    const sprite = label(`${Math.round(value * 1000) / 1000}${last ? " m" : ""}`.replace("-", "−"), textColor);
+    sprite.position.set(x, y, z);
     group.add(sprite);
   }
   const geometry = new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(ends, 3));

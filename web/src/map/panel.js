@@ -18,6 +18,17 @@ function toggle(view, part, name) {
   return element("label", {}, box, name);
 }
 
+/** Hides what lies above a height; all of it is there at the right end. */
+function cut(view) {
+  const slider = element("input", { type: "range", min: 0, max: 1, step: "any", value: 1, title: "hide what lies above" });
+  slider.addEventListener("input", () => {
+    const [low, high] = view.points.heights;
+    const share = Number(slider.value);
+    view.cutAbove(share === 1 ? Infinity : low + share * (high - low));
+  });
+  return element("label", { className: "cut" }, "height", slider);
+}
+
 function button(text, act) {
   const made = element("button", { text, type: "button" });
   made.addEventListener("click", act);
@@ -40,11 +51,11 @@ export class Panel {
   }
 
   choices(view) {
-    const toggles = [toggle(view, "ways", "trajectory")];
+    const toggles = [toggle(view, "cloud", "map"), toggle(view, "ways", "trajectory")];
     if (this.map.paths.some((path) => path.truth)) toggles.push(toggle(view, "truths", "truth"));
     if (this.map.keyframes.length) toggles.push(toggle(view, "keyframes", "keyframes"));
     if (this.map.closures.length) toggles.push(toggle(view, "closures", "loop closures"));
-    toggles.push(toggle(view, "grid", "grid"));
+    toggles.push(toggle(view, "grid", "grid"), cut(view));
     const shown = element("span", { className: "count", text: this.countText() });
     return [modeChoice(view), ...toggles, button("oblique", () => view.look("oblique")), button("from above", () => view.look("top")), shown];
   }

@@ -16,8 +16,9 @@ function positions(path) {
 function fatLine(flat, options) {
   const geometry = new LineGeometry();
   geometry.setPositions(flat);
-  const line = new Line2(geometry, new LineMaterial({ worldUnits: false, ...options }));
+  const line = new Line2(geometry, new LineMaterial({ depthTest: false, transparent: true, ...options }));
   line.frustumCulled = false;
+  line.renderOrder = 1; // seen through walls and ceilings
   return line;
 }
 
@@ -29,7 +30,7 @@ export class Way {
     this.object = new THREE.Group();
     if (path.t.length < 2) return;
     this.past = fatLine(flat, { linewidth: width });
-    this.whole = fatLine(flat, { linewidth: 1, transparent: true, opacity: 0.45 });
+    this.whole = fatLine(flat, { linewidth: 1, opacity: 0.5 });
     this.object.add(this.whole, this.past);
   }
 
@@ -48,12 +49,16 @@ export class Robot {
     this.path = path;
     const shape = new THREE.Shape([[1, 0], [-0.6, 0.62], [-0.25, 0], [-0.6, -0.62]].map(([x, y]) => new THREE.Vector2(size * x, size * y)));
     const geometry = new THREE.ExtrudeGeometry(shape, { depth: 0.25 * size, bevelEnabled: false });
-    this.object = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial());
-    this.object.add(new THREE.LineSegments(new THREE.EdgesGeometry(geometry), new THREE.LineBasicMaterial({ color: 0x111111 })));
+    this.object = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ depthTest: false, transparent: true }));
+    this.edges = new THREE.LineSegments(new THREE.EdgesGeometry(geometry), new THREE.LineBasicMaterial({ depthTest: false, transparent: true }));
+    this.object.add(this.edges);
+    this.object.renderOrder = 3;
+    this.edges.renderOrder = 4;
   }
 
-  setColor(color) {
+  setColor(color, edge) {
     this.object.material.color.set(color);
+    this.edges.material.color.set(edge);
   }
 
   /** Moves to the pose at `time`; returns its number. */
@@ -69,13 +74,16 @@ export class Robot {
 export function keyframeDots(path, keyframes) {
   const flat = new Float32Array(keyframes.flatMap((i) => [path.x[i], path.y[i], path.z[i]]));
   const geometry = new THREE.BufferGeometry().setAttribute("position", new THREE.BufferAttribute(flat, 3));
-  return new THREE.Points(geometry, new THREE.PointsMaterial({ size: 6, sizeAttenuation: false }));
+  const dots = new THREE.Points(geometry, new THREE.PointsMaterial({ size: 6, sizeAttenuation: false, depthTest: false, transparent: true }));
+  dots.renderOrder = 2;
+  return dots;
 }
 
 export function closureLines(path, closures) {
   const geometry = new LineSegmentsGeometry();
   geometry.setPositions(closures.flat().flatMap((i) => [path.x[i], path.y[i], path.z[i]]));
-  const lines = new LineSegments2(geometry, new LineMaterial({ linewidth: 2 }));
+  const lines = new LineSegments2(geometry, new LineMaterial({ linewidth: 2, depthTest: false, transparent: true }));
   lines.frustumCulled = false;
+  lines.renderOrder = 2;
   return lines;
 }

@@ -6,7 +6,7 @@ import { inflated, undifferenced } from "../data.js";
 
 const kVertex = `
 attribute float intensity, scan, moment;
-uniform float size, until;
+uniform float size, until, cut;
 uniform vec2 heights;
 uniform int mode;
 uniform sampler2D ramp;
@@ -14,7 +14,7 @@ varying vec3 shade;
 vec3 hue(float h) { return clamp(abs(mod(h * 6.0 + vec3(0.0, 4.0, 2.0), 6.0) - 3.0) - 1.0, 0.0, 1.0); }
 void main() {
   vec4 at = modelViewMatrix * vec4(position, 1.0);
-  gl_Position = moment > until ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * at;
+  gl_Position = moment > until || position.z > cut ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * at;
   gl_PointSize = clamp(size / -at.z, 1.0, 12.0);
   float share = mode == 0 ? (position.z - heights.x) / (heights.y - heights.x) : mode == 1 ? intensity : moment;
   shade = mode == 3 ? mix(vec3(0.55), hue(fract(scan * 0.6180339887)), 0.75)
@@ -83,13 +83,14 @@ export class MapPoints {
     geometry.setAttribute("scan", new THREE.BufferAttribute(scan, 1));
     geometry.setAttribute("moment", new THREE.BufferAttribute(moment, 1, true));
     geometry.setAttribute("intensity", new THREE.BufferAttribute(intensity, 1, true));
-    const uniforms = { size: { value: 1 }, until: { value: 2 }, heights: { value: heights }, mode: { value: 0 }, ramp: { value: null } };
+    const uniforms = { size: { value: 1 }, until: { value: 2 }, cut: { value: 65536 }, heights: { value: heights }, mode: { value: 0 }, ramp: { value: null } };
     this.material = new THREE.ShaderMaterial({ vertexShader: kVertex, fragmentShader: kFragment, uniforms });
     this.object = new THREE.Points(geometry, this.material);
     this.object.frustumCulled = false;
     this.object.scale.setScalar(map.step);
     this.object.position.fromArray(map.origin);
     this.count = map.count;
+    this.numberOf = (height) => (height - map.origin[2]) / map.step;
     this.heights = heights.map((h) => map.origin[2] + h * map.step); // [m] at the ends of the ramp
   }
 
@@ -101,6 +102,11 @@ export class MapPoints {
   /** Shows what was seen until `share` of the run, 0 to 1. */
   showUntil(share) {
     this.material.uniforms.until.value = share >= 1 ? 2 : share;
+  }
+
+  /** Hides what lies above `height` [m]. */
+  cutAbove(height) {
+    this.material.uniforms.cut.value = this.numberOf(height);
   }
 
   /** [px] of a point seen from 1 m. */

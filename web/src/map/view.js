@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { color, onThemeChange } from "../theme.js";
-import { makeGrid } from "./grid.js";
+import { gridBox, makeGrid } from "./grid.js";
 import { Pace } from "./pace.js";
 import { Panel } from "./panel.js";
 import { closureLines, keyframeDots, Robot, Way } from "./paths.js";
@@ -11,6 +11,7 @@ import { MapPoints } from "./points.js";
 import { modes, rampTexture } from "./ramps.js";
 
 const kFieldOfView = 45; // [deg]
+const kRoom = 1.08; // times the distance from which all is seen
 const kPointSize = 0.07; // [m] that a point covers
 
 function boxOf(map, points) {
@@ -27,6 +28,20 @@ function boxOf(map, points) {
   sides.forEach((values) => values.sort((a, b) => a - b));
   const corner = (share) => new THREE.Vector3(...sides.map((v, a) => map.origin[a] + map.step * at(v, share)));
   return box.expandByPoint(corner(0.005)).expandByPoint(corner(0.995));
+}
+
+/** How far from `center` the camera must stand, looking as it does, to see all of `box`. */
+function fitting(camera, box, center) {
+  const tangent = Math.tan((kFieldOfView * Math.PI) / 360);
+  const turn = camera.quaternion.clone().invert();
+  let distance = 0;
+  for (let corner = 0; corner < 8; ++corner) {
+    const at = new THREE.Vector3(...["x", "y", "z"].map((a, i) => (corner & (1 << i) ? box.max : box.min)[a]));
+    at.sub(center).applyQuaternion(turn);
+    const needed = Math.max(Math.abs(at.x) / camera.aspect, Math.abs(at.y)) / tangent;
+    distance = Math.max(distance, needed + at.z);
+  }
+  return kRoom * distance;
 }
 
 export class MapView {
@@ -51,8 +66,8 @@ export class MapView {
     this.pace = new Pace(points, () => this.render());
     this.fill();
     this.restyle();
-    this.look("oblique");
     this.listen();
+    this.look("oblique");
     this.show(timeline.time);
   }
 
@@ -69,7 +84,8 @@ export class MapView {
     this.keyframes = keyframeDots(estimate, this.map.keyframes);
     this.closures = closureLines(estimate, this.map.closures);
     this.grid = new THREE.Group();
-    this.scene.add(this.points.object, this.ways, this.truths, this.robot.object, this.keyframes, this.closures, this.grid);
+    this.cloud = this.points.object;
+    this.scene.add(this.cloud, this.ways, this.truths, this.robot.object, this.keyframes, this.closures, this.grid);
     this.robot.object.visible = estimate.t.length > 0;
     this.colorBy("height");
   }
@@ -90,7 +106,7 @@ export class MapView {
     this.grid.add(makeGrid(this.box, plain("scene-grid"), color("faint")));
     this.main.setColor(plain("way"));
     this.others.forEach((way, i) => way.setColor(plain(way.path.truth ? "truth" : `s${(i + 1) % 8}`)));
-    this.robot.setColor(plain("way"));
+    this.robot.setColor(plain("way"), plain("scene"));
     this.keyframes.material.color.copy(plain("keyframe"));
     this.closures.material.color.copy(plain("closure"));
     this.pace.still();
@@ -102,6 +118,12 @@ export class MapView {
     this.pace.still();
   }
 
+  /** Hides what lies above `height` [m]: ceilings, trees. */
+  cutAbove(height) {
+    this.points.cutAbove(height);
+    this.pace.moving();
+  }
+
   toggle(part, visible) {
     this[part].visible = visible;
     this.pace.still();
@@ -109,15 +131,13 @@ export class MapView {
 
   /** Looks at the whole map: "oblique" or from the "top". */
   look(from) {
-    const center = this.box.getCenter(new THREE.Vector3());
+    const center = gridBox(this.box).getCenter(new THREE.Vector3());
     const size = this.box.getSize(new THREE.Vector3());
-    const wide = size.x >= size.y;
-    const [along, across] = wide ? [size.x, size.y] : [size.y, size.x];
-    const tangent = Math.tan((kFieldOfView * Math.PI) / 360);
-    const distance = (1.12 * Math.max(along / Math.max(this.camera.aspect, 0.5), across, size.z)) / (2 * tangent) + (from === "top" ? size.z / 2 : across / 4);
-    const back = wide ? new THREE.Vector3(0, -1, 0) : new THREE.Vector3(1, 0, 0);
-    const direction = from === "top" ? back.multiplyScalar(0.001).setZ(1) : back.setZ(0.95);
-    this.camera.position.copy(center).addScaledVector(direction.normalize(), distance);
+    const back = size.x >= size.y ? new THREE.Vector3(0, -1, 0) : new THREE.Vector3(1, 0, 0);
+    const direction = (from === "top" ? back.multiplyScalar(0.001).setZ(1) : back.setZ(0.9)).normalize();
+    this.camera.position.copy(center).addScaledVector(direction, 1);
+    this.camera.lookAt(center);
+    this.camera.position.addScaledVector(direction, fitting(this.camera, gridBox(this.box), center) - 1);
     this.controls.target.copy(center);
     this.controls.update();
     this.pace.still();

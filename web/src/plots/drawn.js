@@ -5,7 +5,7 @@ import { color, curveColor } from "../theme.js";
 import { axisText, element, quantityText } from "../words.js";
 
 const kHeight = 270; // [px] of all but ways
-const kWayHeights = [220, 520]; // [px] least and most
+const kWayHeights = [300, 560]; // [px] least and most
 const kShades = ["#2560a8", "#34a8a0", "#f0b43c", "#cd322d"]; // as tilth/output/svg_content.cpp
 const kMostHovered = 4000; // points of a way that the mouse finds
 
@@ -63,8 +63,9 @@ function way(plot, width) {
   const lines = rows.map((r, i) =>
     shaded
       ? Plot.line(r, { x: "x", y: "y", z: null, stroke: "shade", strokeWidth: 4, strokeLinecap: "round" })
-      : Plot.line(r, { x: "x", y: "y", stroke: curveColor(i), strokeWidth: i === 0 ? 2 : 1.5 }),
+      : Plot.line(r, { x: "x", y: "y", stroke: curveColor(plot.curves, i), strokeWidth: plot.curves[i].truth ? 5 : 1.8 }),
   );
+  lines.reverse(); // the truth, given last, lies below
   return Plot.plot({
     ...options,
     height: frame.height,
@@ -82,7 +83,7 @@ function way(plot, width) {
 }
 
 function boxes(plot, width) {
-  const rows = plot.curves.map((c, i) => ({ ...c.box, name: c.name, color: curveColor(i) }));
+  const rows = plot.curves.map((c, i) => ({ ...c.box, name: c.name, color: curveColor(plot.curves, i) }));
   const title = (r) => `${r.name}\nmedian ${quantityText(r.median, plot.y)}\nmean ${quantityText(r.mean, plot.y)}\nquartiles ${quantityText(r.q1, plot.y)}, ${quantityText(r.q3, plot.y)}\n1 % and 99 % ${quantityText(r.p01, plot.y)}, ${quantityText(r.p99, plot.y)}`;
   const options = common(plot, width);
   return Plot.plot({
@@ -99,7 +100,7 @@ function boxes(plot, width) {
 }
 
 function bars(plot, width) {
-  const rows = plot.curves.flatMap((c, i) => Array.from(c.y, (y, k) => ({ name: c.name, category: plot.categories[k], y, color: curveColor(i) })));
+  const rows = plot.curves.flatMap((c, i) => Array.from(c.y, (y, k) => ({ name: c.name, category: plot.categories[k], y, color: curveColor(plot.curves, i) })));
   const options = common(plot, width);
   return Plot.plot({
     ...options,
@@ -121,7 +122,7 @@ function histogram(plot, width) {
   return Plot.plot({
     ...common(plot, width),
     marks: [
-      Plot.rectY(rows, { x1: "x1", x2: "x2", y: "y", fill: curveColor(0), fillOpacity: 0.8, inset: 0.5 }),
+      Plot.rectY(rows, { x1: "x1", x2: "x2", y: "y", fill: curveColor(plot.curves, 0), fillOpacity: 0.8, inset: 0.5 }),
       Plot.ruleY([0], { stroke: color("faint") }),
       Plot.tip(rows, Plot.pointerX({ x: (r) => (r.x1 + r.x2) / 2, y: "y", title, ...tipLook() })),
     ],
@@ -154,7 +155,7 @@ function legend(plot, chart) {
   const names = plot.kind === "boxes" || plot.curves.length < 2 ? [] : plot.curves.map((c) => c.name);
   return element("div", { className: "names" }, ...names.map((name, i) => {
     const swatch = element("i");
-    swatch.style.background = curveColor(i);
+    swatch.style.background = curveColor(plot.curves, i);
     return element("span", {}, swatch, name);
   }));
 }

@@ -1,7 +1,7 @@
 // Curves over time or another axis, by uPlot: values under the mouse, a stretch zoomed by dragging, all plots over time
 // moving together; a click moves the robot of the map there.
 import uPlot from "uplot";
-import { color, curveColor } from "../theme.js";
+import { color } from "../theme.js";
 import { axisText, element, numberText, quantityText } from "../words.js";
 
 const kHeight = 236; // [px] without the legend
@@ -39,8 +39,8 @@ function addLevels(plot, data, series, bands) {
 function curveSeries(plot) {
   return plot.curves.map((curve, i) => ({
     label: curve.name,
-    stroke: curveColor(i),
-    width: 1.4,
+    stroke: color(curve.truth ? "true" : `s${(plot.curves[0].truth ? i - 1 : i) % 8}`),
+    width: curve.truth ? 3.5 : 1.4,
     spanGaps: true,
     points: { show: false },
     value: (_, v) => (v === null || v === undefined ? "–" : quantityText(v, plot.y)),
@@ -72,7 +72,13 @@ function nowLine(chart, timeline) {
   chart.ctx.restore();
 }
 
-export function linePlot(plot, { timeline, width }) {
+/** The truth lies below what is held against it. */
+function truthFirst(plot) {
+  return { ...plot, curves: [...plot.curves].sort((a, b) => Number(b.truth ?? false) - Number(a.truth ?? false)) };
+}
+
+export function linePlot(given, { timeline, width }) {
+  const plot = truthFirst(given);
   const data = joined(plot.curves);
   const series = [{ label: plot.x.label, value: (_, v) => (v === null ? "–" : quantityText(v, plot.x)) }, ...curveSeries(plot)];
   const bands = [];
