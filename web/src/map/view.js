@@ -30,18 +30,28 @@ function boxOf(map, points) {
   return box.expandByPoint(corner(0.005)).expandByPoint(corner(0.995));
 }
 
-/** How far from `center` the camera must stand, looking as it does, to see all of `box`. */
-function fitting(camera, box, center) {
+/** Puts `camera` so that it looks along `direction` reversed and `box` fills the view; returns where it looks to. */
+function frame(camera, box, direction) {
+  const target = box.getCenter(new THREE.Vector3());
   const tangent = Math.tan((kFieldOfView * Math.PI) / 360);
-  const turn = camera.quaternion.clone().invert();
-  let distance = 0;
-  for (let corner = 0; corner < 8; ++corner) {
-    const at = new THREE.Vector3(...["x", "y", "z"].map((a, i) => (corner & (1 << i) ? box.max : box.min)[a]));
-    at.sub(center).applyQuaternion(turn);
-    const needed = Math.max(Math.abs(at.x) / camera.aspect, Math.abs(at.y)) / tangent;
-    distance = Math.max(distance, needed + at.z);
+  let distance = 2 * box.getSize(new THREE.Vector3()).length();
+  for (let i = 0; i < 8; ++i) {
+    camera.position.copy(target).addScaledVector(direction, distance);
+    camera.lookAt(target);
+    camera.updateMatrixWorld();
+    const seen = new THREE.Box3();
+    for (let corner = 0; corner < 8; ++corner) {
+      const at = ["x", "y", "z"].map((axis, k) => (corner & (1 << k) ? box.max : box.min)[axis]);
+      seen.expandByPoint(new THREE.Vector3(...at).project(camera));
+    }
+    const middle = seen.getCenter(new THREE.Vector3());
+    const half = seen.getSize(new THREE.Vector3()).multiplyScalar(0.5);
+    const shift = new THREE.Vector3(middle.x * camera.aspect, middle.y, 0).multiplyScalar(tangent * distance);
+    target.add(shift.applyQuaternion(camera.quaternion));
+    distance *= kRoom * Math.max(half.x, half.y);
   }
-  return kRoom * distance;
+  camera.position.copy(target).addScaledVector(direction, distance);
+  return target;
 }
 
 export class MapView {
@@ -131,14 +141,10 @@ export class MapView {
 
   /** Looks at the whole map: "oblique" or from the "top". */
   look(from) {
-    const center = gridBox(this.box).getCenter(new THREE.Vector3());
     const size = this.box.getSize(new THREE.Vector3());
     const back = size.x >= size.y ? new THREE.Vector3(0, -1, 0) : new THREE.Vector3(1, 0, 0);
     const direction = (from === "top" ? back.multiplyScalar(0.001).setZ(1) : back.setZ(0.9)).normalize();
-    this.camera.position.copy(center).addScaledVector(direction, 1);
-    this.camera.lookAt(center);
-    this.camera.position.addScaledVector(direction, fitting(this.camera, gridBox(this.box), center) - 1);
-    this.controls.target.copy(center);
+    this.controls.target.copy(frame(this.camera, gridBox(this.box), direction));
     this.controls.update();
     this.pace.still();
   }
