@@ -115,15 +115,18 @@ TEST(PointCloud2, ReadsWhatItWrites) {
   const std::vector<Shot> shots = shots_of({beams_deg(16, -15, 2), 0.1, 10, 30});
   const PointRecords records =
       records_of(shots, {intensity_field(), ring_field(), {"t", FieldType::f64, [](const Shot& s) { return s.time; }}});
-  const PointCloud2 back = parse_point_cloud2(serialize_point_cloud2({1234567890.123456789, "lidar", records}));
-  EXPECT_NEAR(back.stamp, 1234567890.123456789, 3e-7);
-  EXPECT_EQ(back.frame_id, "lidar");
-  ASSERT_EQ(back.records.count, records.count);
-  EXPECT_EQ(back.records.bytes, records.bytes);
-  for (std::size_t f = 0; f < records.fields.size(); ++f) {
-    EXPECT_EQ(back.records.fields[f].name, records.fields[f].name);
-    EXPECT_EQ(back.records.fields[f].type, records.fields[f].type);
-    EXPECT_EQ(back.records.fields[f].offset, records.fields[f].offset);
+  for (const Serialization serialization : {Serialization::ros1, Serialization::cdr}) {
+    const PointCloud2 back = parse_point_cloud2(
+        serialize_point_cloud2({1234567890.123456789, "lidar", records}, serialization), serialization);
+    EXPECT_NEAR(back.stamp, 1234567890.123456789, 3e-7);
+    EXPECT_EQ(back.frame_id, "lidar");
+    ASSERT_EQ(back.records.count, records.count);
+    EXPECT_EQ(back.records.bytes, records.bytes);
+    for (std::size_t f = 0; f < records.fields.size(); ++f) {
+      EXPECT_EQ(back.records.fields[f].name, records.fields[f].name);
+      EXPECT_EQ(back.records.fields[f].type, records.fields[f].type);
+      EXPECT_EQ(back.records.fields[f].offset, records.fields[f].offset);
+    }
   }
 }
 
