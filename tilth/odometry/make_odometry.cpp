@@ -2,6 +2,7 @@
 
 #include <tilth/odometry/floam.hpp>
 #include <tilth/odometry/improved_floam.hpp>
+#include <tilth/odometry/lego_loam.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/odometry/tilth_odometry.hpp>
 
@@ -28,6 +29,7 @@ const std::vector<Pipeline>& all() {
       pipeline<ImprovedFloam, ImprovedFloamOptions>("improved_floam",
                                                     "FLOAM with statistical outlier removal and GICP (Fu et al. 2026)"),
       pipeline<Floam, FloamOptions>("floam", "FLOAM (Wang et al. 2021), as its authors set it for 16 beams"),
+      pipeline<LegoLoam, LegoLoamOptions>("lego_loam", "LeGO-LOAM with the LiDAR alone (Shan and Englot 2018)"),
   };
   return pipelines;
 }

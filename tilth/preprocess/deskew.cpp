@@ -20,4 +20,11 @@ SurfacePatches deskew(SurfacePatches patches, const Vector6d& velocity, double r
   return patches;
 }
 
+PointCloud deskew(PointCloud cloud, const Vector6d& velocity, double reference_time) {
+  if (!cloud.has_times() || velocity.isZero(0)) return cloud;
+  const ScanMotion motion(velocity, reference_time, *std::max_element(cloud.times.begin(), cloud.times.end()));
+  for (std::size_t i = 0; i < cloud.size(); ++i) cloud.points[i] = motion.move(cloud.points[i], cloud.times[i]);
+  return cloud;
+}
+
 }  // namespace tilth

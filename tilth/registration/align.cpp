@@ -8,6 +8,23 @@
 namespace tilth {
 namespace {
 
+bool is_active(Freedom active, int direction) {
+  const bool is_level = direction == 0 || direction == 1 || direction == 5;
+  return active == Freedom::all || is_level == (active == Freedom::roll_pitch_z);
+}
+
+// J^T J and J^T e of the active directions; the others are determined, and stand still.
+LinearSystem restricted(LinearSystem system, const AlignOptions& options) {
+  for (int i = 0; i < 6; ++i) {
+    if (is_active(options.active, i)) continue;
+    system.H.row(i).setZero();
+    system.H.col(i).setZero();
+    system.H(i, i) = 1 + options.min_information;
+    system.b[i] = 0;
+  }
+  return system;
+}
+
 // One step of Gauss and Newton, or damped; false where the system has no solution.
 bool solve(const LinearSystem& system, double damping, Vector6d& step) {
   Matrix6d H = system.H;
@@ -18,8 +35,8 @@ bool solve(const LinearSystem& system, double damping, Vector6d& step) {
 }
 
 // Holds the directions whose eigenvalue, of rotations in rad and translations in m, is below `min_information`.
-void hold_weak_directions(double min_information, AlignState& state) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(state.system.H);
+void hold_weak_directions(const LinearSystem& system, double min_information, AlignState& state) {
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(system.H);
   const Vector6d kept = (eigen.eigenvalues().array() >= min_information).cast<double>();
   state.movable = eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
   state.held_directions = 6 - int(kept.sum());
@@ -28,13 +45,15 @@ void hold_weak_directions(double min_information, AlignState& state) {
 }  // namespace
 
 StepOutcome step_align(const AlignOptions& options, AlignState& state, AlignResult& result) {
+  const LinearSystem system = restricted(state.system, options);
   Vector6d step;
-  if (state.system.matches < std::size_t(options.min_matches) || !solve(state.system, options.damping, step))
+  if (system.matches < std::size_t(options.min_matches) || !solve(system, options.damping, step))
     return StepOutcome::failed;
   if (options.min_information > 0) {
-    if (state.steps == 0) hold_weak_directions(options.min_information, state);
+    if (state.steps == 0) hold_weak_directions(system, options.min_information, state);
     step = state.movable * step;
   }
+  step *= options.step_share;
   ++state.steps;
   result.T_target_source = retract(result.T_target_source, step);
   const double error = state.system.error / double(state.system.matches);

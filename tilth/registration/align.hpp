@@ -1,7 +1,9 @@
 // The one loop of every registration: associate, linearise, solve, until the pose or the error stands still.
 #pragma once
 
+#include <array>
 #include <span>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -13,6 +15,13 @@
 #include <tilth/registration/robust_kernel.hpp>
 
 namespace tilth {
+
+/// Which of a pose's degrees of freedom, about and along the axes of the source, a registration may change.
+enum class Freedom { all, roll_pitch_z, yaw_x_y };
+inline std::span<const std::string_view> names_of(Freedom) {
+  static constexpr std::array<std::string_view, 3> names{"all", "roll_pitch_z", "yaw_x_y"};
+  return names;
+}
 
 struct AlignOptions {
   int max_iterations = 200;
@@ -26,6 +35,8 @@ struct AlignOptions {
   double min_information = 0.0;
   double degeneracy_ratio = 1e-3;
   int min_matches = 20;
+  Freedom active = Freedom::all;
+  double step_share = 1.0;
 };
 
 template <class V>
@@ -44,6 +55,8 @@ void visit(AlignOptions& o, V&& v) {
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
     "[-] a direction with less information than this share of the best one is degenerate");
   v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept");
+  v("active", o.active, "[-] degrees of freedom that change");
+  v("step_share", o.step_share, Bounds{1e-6, 1}, "[-] of the step of Gauss and Newton that is taken");
 }
 
 /// Normal equations H x = -b of all pairs, and what else one pass over them gives.

@@ -8,7 +8,6 @@
 namespace tilth {
 namespace {
 
-constexpr double kWeightSlope = 0.9;  // [1/m]
 constexpr double kLeastWeight = 0.1;
 
 Eigen::Vector3d mean_of(const FitPoints& points) {
@@ -17,11 +16,14 @@ Eigen::Vector3d mean_of(const FitPoints& points) {
   return sum / double(kFitPoints);
 }
 
-// 1 - 0.9 distance, in (0.1, 1]; none below.
-std::optional<double> weight_at(double distance, PairWeight weight) {
-  if (weight == PairWeight::equal) return 1.0;
-  const double w = 1 - kWeightSlope * distance;
-  return w > kLeastWeight ? std::optional(w) : std::nullopt;
+// `pair`, its residual scaled by 1 - slope distance; none where that is too little.
+template <class Pair>
+std::optional<Pair> scaled(Pair pair, Eigen::Vector3d Pair::*axis, const Pose& T, double slope) {
+  if (slope == 0) return pair;
+  const double weight = 1 - slope * pair.residual(T).norm();
+  if (!(weight > kLeastWeight)) return std::nullopt;
+  pair.*axis *= weight;
+  return pair;
 }
 
 }  // namespace
@@ -45,23 +47,13 @@ std::optional<FittedPlane> fit_plane(const FitPoints& points, const Eigen::Vecto
   return FittedPlane{origin - n / (norm * norm), n / norm};
 }
 
-std::optional<PointToLine> weighed(const Eigen::Vector3d& source, const FittedLine& line, const Pose& T,
-                                   PairWeight weight) {
-  PointToLine pair{source, line.point, line.direction};
-  const std::optional<double> w = weight_at(pair.residual(T).norm(), weight);
-  if (!w) return std::nullopt;
-  pair.direction *= *w;
-  return pair;
+std::optional<PointToLine> weighed(const Eigen::Vector3d& source, const FittedLine& line, const Pose& T, double slope) {
+  return scaled(PointToLine{source, line.point, line.direction}, &PointToLine::direction, T, slope);
 }
 
 std::optional<PointToPlane> weighed(const Eigen::Vector3d& source, const FittedPlane& plane, const Pose& T,
-                                    PairWeight weight) {
-  PointToPlane pair{source, plane.point, plane.normal};
-  const double distance = std::abs(pair.residual(T)[0]);
-  const std::optional<double> w = weight_at(distance / std::sqrt(source.norm()), weight);
-  if (!w) return std::nullopt;
-  pair.normal *= *w;
-  return pair;
+                                    double slope) {
+  return scaled(PointToPlane{source, plane.point, plane.normal}, &PointToPlane::normal, T, slope);
 }
 
 }  // namespace tilth

@@ -2,10 +2,11 @@
 // (Zhang and Singh 2014; FLOAM; LIO-SAM). One look-up of five neighbours a point, O(log map), in parallel.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include <tilth/core/options.hpp>
@@ -15,20 +16,13 @@
 
 namespace tilth {
 
-/// How a pair's say falls with its distance d [m] to the line or plane: not at all, or as 1 - 0.9 |d| (of a plane:
-/// 1 - 0.9 |d| / sqrt(r), r the point's range [m]), where pairs of no more than 0.1 are left out (Zhang and Singh).
-enum class PairWeight { equal, distance };
-inline std::span<const std::string_view> names_of(PairWeight) {
-  static constexpr std::array<std::string_view, 2> names{"equal", "distance"};
-  return names;
-}
-
 struct LinePlaneOptions {
   double max_distance = 1.0;
   double line_ratio = 3.0;
   double plane_distance = 0.2;
   bool planes_from_sensor = false;
-  PairWeight weight = PairWeight::equal;
+  double weight_slope = 0.0;
+  bool range_from_origin = false;
 };
 
 template <class V>
@@ -40,7 +34,12 @@ void visit(LinePlaneOptions& o, V&& v) {
   v("planes_from_sensor", o.planes_from_sensor,
     "[-] n . x = -1, which no plane through the origin fulfils, is fitted about the sensor; false: about the map's "
     "origin, as FLOAM, LeGO-LOAM and LIO-SAM do");
-  v("weight", o.weight, "[-] of a pair at the distance d: equal, or 1 - 0.9 |d|, for planes 1 - 0.9 |d| / sqrt(range)");
+  v("weight_slope", o.weight_slope, Bounds{0, 100},
+    "[1/m] by which a pair's weight falls from 1 with its distance (of planes: over the root of the point's range); "
+    "pairs "
+    "of no more than 0.1 are left out (Zhang and Singh)");
+  v("range_from_origin", o.range_from_origin,
+    "[-] as LeGO-LOAM: that range is the distance from the map's origin, not from the sensor");
 }
 
 constexpr std::size_t kFitPoints = 5;
@@ -60,9 +59,16 @@ std::optional<FittedLine> fit_line(const FitPoints& points, double ratio);
 /// farther from it than `max_distance` [m].
 std::optional<FittedPlane> fit_plane(const FitPoints& points, const Eigen::Vector3d& origin, double max_distance);
 
-/// The pair of a source point and a fit, its residual scaled by its weight at T; none where that is too small.
-std::optional<PointToLine> weighed(const Eigen::Vector3d& source, const FittedLine& line, const Pose& T, PairWeight);
-std::optional<PointToPlane> weighed(const Eigen::Vector3d& source, const FittedPlane& plane, const Pose& T, PairWeight);
+/// The pair of a source point and a fit, its residual scaled by its weight at T: 1 - `slope` [1/m] times the distance;
+/// none where that is no more than 0.1.
+std::optional<PointToLine> weighed(const Eigen::Vector3d& source, const FittedLine& line, const Pose& T, double slope);
+std::optional<PointToPlane> weighed(const Eigen::Vector3d& source, const FittedPlane& plane, const Pose& T,
+                                    double slope);
+
+/// The slope for a plane point at `range` [m].
+inline double plane_slope(double slope, double range) {
+  return slope / std::sqrt(std::max(range, 1e-9));
+}
 
 /// Points that answer for their nearest neighbours.
 template <class S>
@@ -103,7 +109,7 @@ std::vector<PointToLine> associate_lines(std::span<const Eigen::Vector3d> edges,
       edges, T, target, options.max_distance,
       [&](const Eigen::Vector3d& p, const FitPoints& neighbors) -> std::optional<PointToLine> {
         const std::optional<FittedLine> line = fit_line(neighbors, options.line_ratio);
-        return line ? weighed(p, *line, T, options.weight) : std::nullopt;
+        return line ? weighed(p, *line, T, options.weight_slope) : std::nullopt;
       });
 }
 
@@ -117,7 +123,9 @@ std::vector<PointToPlane> associate_planes(std::span<const Eigen::Vector3d> plan
       planes, T, target, options.max_distance,
       [&](const Eigen::Vector3d& p, const FitPoints& neighbors) -> std::optional<PointToPlane> {
         const std::optional<FittedPlane> plane = fit_plane(neighbors, origin, options.plane_distance);
-        return plane ? weighed(p, *plane, T, options.weight) : std::nullopt;
+        if (!plane) return std::nullopt;
+        const double range = options.range_from_origin ? (T * p).norm() : p.norm();
+        return weighed(p, *plane, T, plane_slope(options.weight_slope, range));
       });
 }
 
