@@ -106,7 +106,7 @@ TEST(LinePlaneAssociation, RefusesAPointWhoseFifthNeighbourIsAMetreAway) {
 }
 
 TEST(LinePlaneAssociation, WeighsByDistanceAsLoamDoes) {
-  const LinePlaneOptions options{.max_distance = 3, .weight = PairWeight::distance};
+  const LinePlaneOptions options{.max_distance = 3, .weight_slope = 0.9};
   const Pose I = Pose::Identity();
   const std::vector<Eigen::Vector3d> edges{{4.4, 1, 1}, {4.99, 1, 1}, {5.01, 1, 1}};
   const std::vector<PointToLine> lines = associate_lines(edges, I, pole(), options);
@@ -117,6 +117,19 @@ TEST(LinePlaneAssociation, WeighsByDistanceAsLoamDoes) {
   ASSERT_EQ(pairs.size(), 1u);  // 2 m off at a range of 1 m
   const double range = planes[0].norm();
   EXPECT_NEAR(std::abs(pairs[0].residual(I)[0]), 0.6 * (1 - 0.9 * 0.6 / std::sqrt(range)), 1e-6);
+}
+
+// As LeGO-LOAM does it, a pair 0.9 m from its wall has less say near the map's origin.
+TEST(LinePlaneAssociation, MayTakeTheRangeFromTheOriginOfTheMap) {
+  LinePlaneOptions options{.max_distance = 3, .weight_slope = 0.9};
+  const Pose T(Eigen::Translation3d(1.5, 0, 0));
+  const std::vector<Eigen::Vector3d> planes{{0.6, 0.01, 0.02}};  // 2.1 m from the origin
+  const double distance = 0.9;
+  EXPECT_TRUE(associate_planes(planes, T, wall(), options).empty());  // 1 - 0.81 / sqrt(0.6) is below 0.1
+  options.range_from_origin = true;
+  const std::vector<PointToPlane> pairs = associate_planes(planes, T, wall(), options);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_NEAR(std::abs(pairs[0].residual(T)[0]), distance * (1 - 0.9 * distance / std::sqrt(2.1)), 1e-4);
 }
 
 }  // namespace

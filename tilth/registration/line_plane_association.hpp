@@ -35,9 +35,9 @@ void visit(LinePlaneOptions& o, V&& v) {
     "[-] n . x = -1, which no plane through the origin fulfils, is fitted about the sensor; false: about the map's "
     "origin, as FLOAM, LeGO-LOAM and LIO-SAM do");
   v("weight_slope", o.weight_slope, Bounds{0, 100},
-    "[1/m] by which a pair's weight falls from 1 with its distance (of planes: over the root of the point's range); "
-    "pairs "
-    "of no more than 0.1 are left out (Zhang and Singh)");
+    "[1/m] by which a pair's weight falls from 1 with its distance (of planes: over the root of the point's range in "
+    "m); "
+    "pairs of no more than 0.1 are left out (Zhang and Singh)");
   v("range_from_origin", o.range_from_origin,
     "[-] as LeGO-LOAM: that range is the distance from the map's origin, not from the sensor");
 }
