@@ -59,10 +59,11 @@ OdometryResult LegoLoam::register_scan(const Scan& scan) {
   const FeatureClouds still{at_end(features.less_sharp), at_end(features.less_flat)};
   last_sweep_ = {SweepTarget(still.edges), SweepTarget(still.planes)};
 
-  begin_stage("mapping");
   const bool is_first = map_.empty();
-  if (is_mapping_due(scan.stamp))
+  if (is_mapping_due(scan.stamp)) {
+    begin_stage("mapping");
     map_scan(gridded(still, at_end(segmented.outliers), options_.mapping), scan.stamp, result.alignment);
+  }
   ++scans_;
   result.alignment.converged |= is_first && !map_.empty();
   result.alignment.T_target_source = result.T_world_lidar = T_world_end();

@@ -7,7 +7,8 @@
 
 namespace tilth {
 
-/// A step as the original takes it, but for the share of Gauss and Newton's that it goes: see AlignOptions::step.
+/// A step of the original: a twentieth of Gauss and Newton's at a time, until less than 0.1 degree and 1 mm is left of
+/// it.
 constexpr AlignOptions sweep_step(Freedom active) {
   AlignOptions options;
   options.max_iterations = 25;
@@ -17,6 +18,7 @@ constexpr AlignOptions sweep_step(Freedom active) {
   options.min_information = 10;
   options.min_matches = 10;
   options.active = active;
+  options.step_share = 0.05;
   return options;
 }
 
