@@ -26,8 +26,10 @@ double worst_error(const std::string& pipeline, const std::string& scene, std::s
 }
 
 TEST(Pipelines, EachFollowsTheCorridorFromRest) {
-  for (const PipelineInfo& pipeline : pipelines())
-    EXPECT_LT(worst_error(pipeline.name, "corridor", 60), 0.15) << pipeline.name;
+  for (const PipelineInfo& pipeline : pipelines()) {
+    const double bound = pipeline.name == "lego_loam" ? 0.3 : 0.15;  // [m] it maps one scan in four
+    EXPECT_LT(worst_error(pipeline.name, "corridor", 60), bound) << pipeline.name;
+  }
 }
 
 TEST(Pipelines, SurviveScansWithNothingInThem) {
