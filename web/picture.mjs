@@ -26,6 +26,7 @@ if (chosen.cut) {
     slider.dispatchEvent(new Event("input"));
   }, chosen.cut);
 }
+await page.evaluate(() => document.querySelector("#map .hint").remove());
 await page.waitForTimeout(1500);
 await page.locator("#map .stage").screenshot({ path: picture });
 await browser.close();
