@@ -85,6 +85,7 @@ MotionPrior prior_of(const Vector6d& velocity, const Vector6d& surprise) {
   return {.T_map_last = kTruth * exp(-velocity * kPeriod),
           .velocity = velocity + surprise,
           .last_motion = velocity + surprise,
+          .steady_velocity = velocity + surprise,
           .interval = kPeriod,
           .known = true};
 }
@@ -185,7 +186,7 @@ TEST(AlignMoving, AlongABareTunnelItGoesAsExpectedAndSaysSo) {
                       .known = known};
     prior.velocity[3] += 0.2;  // what was expected along the tunnel cannot be contradicted
     prior.velocity[4] += 0.2;  // across it can
-    prior.last_motion = prior.velocity;
+    prior.last_motion = prior.steady_velocity = prior.velocity;
     const auto result = align_moving(patches, kMiddle, prior, tunnel(), kOptions);
     const Eigen::Vector3d p = result.pose.T_target_source.translation();
     EXPECT_EQ(result.pose.degenerate_directions, 1);

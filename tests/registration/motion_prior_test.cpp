@@ -1,4 +1,6 @@
 // What is known after a scan, for the next one.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <tilth/registration/align_moving.hpp>
@@ -23,6 +25,12 @@ TEST(MotionPrior, NextRemembersTheMotionSeen) {
   EXPECT_TRUE(after.T_map_last.isApprox(alignment.pose.T_target_source));
   EXPECT_EQ(after.velocity, alignment.velocity);
   EXPECT_LT((after.last_motion - motion).norm(), 1e-9);
+
+  EXPECT_LT((after.steady_velocity - motion).norm(), 1e-9) << "the first motion known";
+  MotionPrior later = after;
+  later.interval = 0.2;
+  EXPECT_LT((next(later, alignment).steady_velocity - std::exp(-0.2) * motion).norm(), 1e-9)
+      << "at rest since: the memory of a second fades";
 
   alignment.pose.matches = 0;  // nothing was seen: the motion is that from before
   EXPECT_EQ(next(prior, alignment).last_motion, prior.last_motion);

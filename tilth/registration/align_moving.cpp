@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <tilth/registration/align.hpp>
 #include <tilth/registration/align_moving.hpp>
@@ -88,6 +92,11 @@ MovingSystem linearize(const PatchPairs& pairs, const MotionState& state) {
   return system;
 }
 
+// How much the pairs are to be believed along a direction with this share of the strongest one's information.
+double trust(double share, double degeneracy_ratio) {
+  return share <= 0 ? 0.0 : std::clamp(std::log2(share / degeneracy_ratio), 0.0, 1.0);
+}
+
 Vector6d weights_of(double rotation_sigma, double translation_sigma) {
   Vector6d weights;
   weights << Eigen::Vector3d::Constant(1 / (rotation_sigma * rotation_sigma)),
@@ -121,6 +130,43 @@ void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& opti
   system.b += Jt * (state.velocity - motion);
 }
 
+// What the pairs determine: keep x is the part of a motion x of the pose that they are trusted with. Rotations count in
+// units of the arc by which they move a typical point.
+Matrix6d trusted_part(const LinearSystem& pairs, double degeneracy_ratio) {
+  const double range = std::sqrt(pairs.squared_range / std::max<double>(1.0, double(pairs.matches)));
+  Vector6d scale = Vector6d::Ones();
+  scale.head<3>().setConstant(range > 0 ? 1 / range : 1.0);
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * pairs.H * scale.asDiagonal());
+  const Vector6d shares = eigen.eigenvalues() / eigen.eigenvalues()[5];
+  const Vector6d kept = shares.unaryExpr([&](double share) { return trust(share, degeneracy_ratio); });
+  if ((kept.array() == 1.0).all()) return Matrix6d::Identity();
+  return scale.asDiagonal() * eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose() *
+         scale.cwiseInverse().asDiagonal();
+}
+
+// Along directions that the pairs hardly determine, slightly wrong normals and rings, which travel with the sensor, say
+// more than the surfaces do. There the motion goes on as it was in the last second.
+void steady_weak_directions(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
+                            MovingSystem& system) {
+  const Matrix6d keep = trusted_part(system.pose, options.degeneracy_ratio);
+  if (keep.isIdentity(0)) return;
+  Matrix12d keep_both = Matrix12d::Zero();
+  keep_both.topLeftCorner<6, 6>() = keep_both.bottomRightCorner<6, 6>() = keep;
+  system.H = keep_both.transpose() * system.H * keep_both;
+  system.b = keep_both.transpose() * system.b;
+
+  const Matrix6d lost = Matrix6d::Identity() - keep;
+  const double change = prior.interval * options.steady_acceleration, shift = 0.5 * prior.interval * change;
+  const Pose T_map_steady = retract(prior.T_map_last, prior.steady_velocity * prior.interval);
+  const auto add = [&](int at, double sigma, const Vector6d& residual) {
+    const Matrix6d Jt = lost.transpose() / (sigma * sigma);
+    system.H.block<6, 6>(at, at) += Jt * lost;
+    system.b.segment<6>(at) += Jt * (lost * residual);
+  };
+  add(0, shift, log(T_map_steady.inverse() * state.T_map_lidar));
+  add(6, change, state.velocity - prior.steady_velocity);
+}
+
 }  // namespace
 
 MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
@@ -128,7 +174,10 @@ MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
   const bool known = prior.interval > 0 && alignment.pose.matches > 0;
   const Vector6d motion =
       known ? Vector6d(log(prior.T_map_last.inverse() * T_map_last) / prior.interval) : prior.last_motion;
-  return {T_map_last, alignment.velocity, motion, 0.0, prior.known || known};
+  constexpr double kMemory = 1.0;  // [s] of the steady velocity
+  const double fresh = prior.known ? 1 - std::exp(-prior.interval / kMemory) : 1.0;
+  const Vector6d steady = prior.steady_velocity + fresh * (motion - prior.steady_velocity);
+  return {T_map_last, alignment.velocity, motion, steady, 0.0, prior.known || known};
 }
 
 bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
@@ -137,6 +186,7 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   ++result.pose.iterations;
   diagnose(system.pose, options.degeneracy_ratio, result.pose);
   if (pairs.size() < std::size_t(options.min_matches)) return false;
+  if (prior.known) steady_weak_directions(prior, options, state, system);
   if (prior.known) add_pose_prior(prior, options, state, system);
   add_velocity_prior(prior, options, state, system);
   const Eigen::LDLT<Matrix12d> factor(system.H);

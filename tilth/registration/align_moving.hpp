@@ -28,7 +28,8 @@ struct AlignMovingOptions {
   double angular_acceleration = 20.0;
   double velocity_slack = 0.01;
   double velocity_share = 0.1;
-  double degeneracy_ratio = 1e-3;
+  double degeneracy_ratio = 7e-3;
+  double steady_acceleration = 0.3;
   int min_matches = 20;
 };
 
@@ -50,17 +51,20 @@ void visit(AlignMovingOptions& o, V&& v) {
     "[m/s^2, rad/s^2] by which the velocity in a scan may differ from the motion since the last one");
   v("velocity_share", o.velocity_share, Bounds{0, 10}, "[-] the same as a share of the acceleration seen, in addition");
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
-    "[-] a direction with less information than this share of the best one is degenerate");
+    "[-] a direction with less information than this share of the best one is degenerate: there the motion goes "
+    "on as it was in the last second, and partly so up to twice the share");
+  v("steady_acceleration", o.steady_acceleration, Bounds{1e-6, 1e6}, "[m/s^2, rad/s^2] standard deviation from that");
   v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept");
 }
 
 /// What is known before the scan. Instants are the middles of scans.
 struct MotionPrior {
-  Pose T_map_last = Pose::Identity();       ///< the last pose
-  Vector6d velocity = Vector6d::Zero();     ///< [rad/s, m/s] expected, in the LiDAR's frame
-  Vector6d last_motion = Vector6d::Zero();  ///< [rad/s, m/s] mean velocity between the last two poses
-  double interval = 0.0;                    ///< [s] since the last pose; > 0
-  bool known = false;                       ///< false: nothing is known of the motion yet, only that it is steady
+  Pose T_map_last = Pose::Identity();           ///< the last pose
+  Vector6d velocity = Vector6d::Zero();         ///< [rad/s, m/s] expected, in the LiDAR's frame
+  Vector6d last_motion = Vector6d::Zero();      ///< [rad/s, m/s] mean velocity between the last two poses
+  Vector6d steady_velocity = Vector6d::Zero();  ///< [rad/s, m/s] mean of about the last second
+  double interval = 0.0;                        ///< [s] since the last pose; > 0
+  bool known = false;                           ///< false: nothing is known of the motion yet, only that it is steady
 };
 
 /// Where the velocity expected leads to.
