@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -92,9 +93,11 @@ MovingSystem linearize(const PatchPairs& pairs, const MotionState& state) {
   return system;
 }
 
+constexpr double kWhollyTrusted = 1.5;  // times the share below which a direction is degenerate
+
 // How much the pairs are to be believed along a direction with this share of the strongest one's information.
 double trust(double share, double degeneracy_ratio) {
-  return share <= 0 ? 0.0 : std::clamp(std::log2(share / degeneracy_ratio), 0.0, 1.0);
+  return std::clamp((share / degeneracy_ratio - 1.0) / (kWhollyTrusted - 1.0), 0.0, 1.0);
 }
 
 Vector6d weights_of(double rotation_sigma, double translation_sigma) {
@@ -130,25 +133,26 @@ void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& opti
   system.b += Jt * (state.velocity - motion);
 }
 
-// What the pairs determine: keep x is the part of a motion x of the pose that they are trusted with. Rotations count in
-// units of the arc by which they move a typical point.
-Matrix6d trusted_part(const LinearSystem& pairs, double degeneracy_ratio) {
-  const double range = std::sqrt(pairs.squared_range / std::max<double>(1.0, double(pairs.matches)));
+// What the pairs would determine if all were right, as they may not be yet: keep * x is the part of a motion x
+// of the pose that they are trusted with. Rotations count in units of the arc by which they move a typical point.
+Matrix6d trusted_part(const PatchPairs& pairs, MotionState state, const AlignMovingOptions& options) {
+  state.kernel_width = std::numeric_limits<double>::infinity();
+  const LinearSystem system = linearize(pairs, state).pose;
+  const double range = std::sqrt(system.squared_range / std::max<double>(1.0, double(system.matches)));
   Vector6d scale = Vector6d::Ones();
   scale.head<3>().setConstant(range > 0 ? 1 / range : 1.0);
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * pairs.H * scale.asDiagonal());
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * system.H * scale.asDiagonal());
   const Vector6d shares = eigen.eigenvalues() / eigen.eigenvalues()[5];
-  const Vector6d kept = shares.unaryExpr([&](double share) { return trust(share, degeneracy_ratio); });
+  const Vector6d kept = shares.unaryExpr([&](double share) { return trust(share, options.degeneracy_ratio); });
   if ((kept.array() == 1.0).all()) return Matrix6d::Identity();
   return scale.asDiagonal() * eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose() *
          scale.cwiseInverse().asDiagonal();
 }
 
 // Along directions that the pairs hardly determine, slightly wrong normals and rings, which travel with the sensor, say
-// more than the surfaces do. There the motion goes on as it was in the last second.
-void steady_weak_directions(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
-                            MovingSystem& system) {
-  const Matrix6d keep = trusted_part(system.pose, options.degeneracy_ratio);
+// more than the surfaces do. There, in what `keep` does not keep, the motion goes on as it was in the last second.
+void steady_weak_directions(const MotionPrior& prior, const AlignMovingOptions& options, const Matrix6d& keep,
+                            const MotionState& state, MovingSystem& system) {
   if (keep.isIdentity(0)) return;
   Matrix12d keep_both = Matrix12d::Zero();
   keep_both.topLeftCorner<6, 6>() = keep_both.bottomRightCorner<6, 6>() = keep;
@@ -186,7 +190,8 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   ++result.pose.iterations;
   diagnose(system.pose, options.degeneracy_ratio, result.pose);
   if (pairs.size() < std::size_t(options.min_matches)) return false;
-  if (prior.known) steady_weak_directions(prior, options, state, system);
+  const bool narrow = state.kernel_width <= options.kernel_width;  // before, pairs are yet to be found
+  if (prior.known && narrow) steady_weak_directions(prior, options, trusted_part(pairs, state, options), state, system);
   if (prior.known) add_pose_prior(prior, options, state, system);
   add_velocity_prior(prior, options, state, system);
   const Eigen::LDLT<Matrix12d> factor(system.H);

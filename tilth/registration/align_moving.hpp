@@ -28,8 +28,8 @@ struct AlignMovingOptions {
   double angular_acceleration = 20.0;
   double velocity_slack = 0.01;
   double velocity_share = 0.1;
-  double degeneracy_ratio = 7e-3;
-  double steady_acceleration = 0.3;
+  double degeneracy_ratio = 3e-3;
+  double steady_acceleration = 1.0;
   int min_matches = 20;
 };
 
@@ -52,7 +52,7 @@ void visit(AlignMovingOptions& o, V&& v) {
   v("velocity_share", o.velocity_share, Bounds{0, 10}, "[-] the same as a share of the acceleration seen, in addition");
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
     "[-] a direction with less information than this share of the best one is degenerate: there the motion goes "
-    "on as it was in the last second, and partly so up to twice the share");
+    "on as it was in the last second, and partly so up to 1.5 times the share");
   v("steady_acceleration", o.steady_acceleration, Bounds{1e-6, 1e6}, "[m/s^2, rad/s^2] standard deviation from that");
   v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept");
 }
