@@ -1,0 +1,84 @@
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <tilth/registration/moving_system.hpp>
+
+namespace tilth {
+namespace {
+
+// The upper triangle of a symmetric 6 x 6 matrix, row by row, in whole SIMD packets.
+using Triangle = Eigen::Array<double, 24, 1>;
+
+// What pairs say about the pose at the middle of the scan, and, times their levers, about the velocity: a point moves
+// (time - middle) times as far with that.
+struct MovingSums {
+  Triangle H = Triangle::Zero(), H1 = Triangle::Zero(), H2 = Triangle::Zero();
+  Vector6d b = Vector6d::Zero(), b1 = Vector6d::Zero();
+  double error = 0, squared_range = 0;
+
+  void add(const Triangle& h, const Vector6d& g, double lever) {
+    H += h;
+    H1 += lever * h;
+    H2 += (lever * lever) * h;
+    b += g;
+    b1 += lever * g;
+  }
+};
+
+void add(const FlatPair& pair, const RobustKernel& kernel, MovingSums& sums) {
+  const double squared = pair.residual * pair.residual * pair.information;
+  const double weight = kernel.weight(squared), w = weight * pair.information;
+  Vector6d J;
+  J << pair.point.cross(pair.normal), pair.normal;
+  const Vector6d wJ = w * J;
+  Triangle h;
+  for (int i = 0, k = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j) h[k++] = wJ[i] * J[j];
+  }
+  h.tail<3>().setZero();
+  sums.add(h, pair.residual * wJ, pair.lever);
+  sums.error += 0.5 * weight * squared;
+  sums.squared_range += pair.point.squaredNorm();
+}
+
+void add(const ShapePair& pair, const Pose& T, const RobustKernel& kernel, MovingSums& sums) {
+  const Eigen::Matrix3d information = pair.joint_in_map.inverse();
+  const double squared = pair.offset_in_map.dot(information * pair.offset_in_map);
+  const double weight = kernel.weight(squared);
+  const Eigen::Matrix<double, 3, 6> J = point_jacobian(T, pair.point);
+  const Eigen::Matrix<double, 6, 3> Jt = weight * J.transpose() * information;
+  const Matrix6d H = Jt * J;
+  Triangle h;
+  for (int i = 0, k = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j) h[k++] = H(i, j);
+  }
+  h.tail<3>().setZero();
+  sums.add(h, Jt * pair.offset_in_map, pair.lever);
+  sums.error += 0.5 * weight * squared;
+  sums.squared_range += pair.point.squaredNorm();
+}
+
+Matrix6d whole(const Triangle& h) {
+  Matrix6d H;
+  for (int i = 0, k = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j) H(i, j) = H(j, i) = h[k++];
+  }
+  return H;
+}
+
+}  // namespace
+
+MovingSystem linearize(const PatchPairs& pairs, const MotionState& state) {
+  const RobustKernel kernel{Kernel::geman_mcclure, state.kernel_width};
+  MovingSums sums;
+  for (const FlatPair& pair : pairs.flat) add(pair, kernel, sums);
+  for (const ShapePair& pair : pairs.shapes) add(pair, state.T_map_lidar, kernel, sums);
+  MovingSystem system;
+  system.pose = {whole(sums.H), sums.b, sums.error, sums.squared_range, pairs.size()};
+  const Matrix6d H1 = whole(sums.H1);
+  system.H << system.pose.H, H1, H1, whole(sums.H2);
+  system.b << sums.b, sums.b1;
+  return system;
+}
+
+}  // namespace tilth

@@ -1,0 +1,22 @@
+// The normal equations of a scan in motion: what pairs of patches say about its pose and velocity. O(pairs).
+#pragma once
+
+#include <tilth/registration/align.hpp>
+#include <tilth/registration/align_moving.hpp>
+
+namespace tilth {
+
+using Vector12d = Eigen::Matrix<double, 12, 1>;  ///< tangent of the pose, then change of the velocity
+using Matrix12d = Eigen::Matrix<double, 12, 12>;
+
+/// Of the pairs, and then of the priors added to it: H x = -b.
+struct MovingSystem {
+  LinearSystem pose;  ///< of the pose alone
+  Matrix12d H = Matrix12d::Zero();
+  Vector12d b = Vector12d::Zero();
+};
+
+/// Of `pairs` at `state`, weighted by its Geman-McClure kernel.
+MovingSystem linearize(const PatchPairs& pairs, const MotionState& state);
+
+}  // namespace tilth
