@@ -3,6 +3,7 @@
 #include <tilth/odometry/floam.hpp>
 #include <tilth/odometry/improved_floam.hpp>
 #include <tilth/odometry/lego_loam.hpp>
+#include <tilth/odometry/lio_sam.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/odometry/tilth_odometry.hpp>
 
@@ -30,6 +31,7 @@ const std::vector<Pipeline>& all() {
                                                     "FLOAM with statistical outlier removal and GICP (Fu et al. 2026)"),
       pipeline<Floam, FloamOptions>("floam", "FLOAM (Wang et al. 2021), as its authors set it for 16 beams"),
       pipeline<LegoLoam, LegoLoamOptions>("lego_loam", "LeGO-LOAM with the LiDAR alone (Shan and Englot 2018)"),
+      pipeline<LioSam, LioSamOptions>("lio_sam", "LIO-SAM (Shan et al. 2020) with the LiDAR alone"),
   };
   return pipelines;
 }

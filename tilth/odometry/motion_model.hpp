@@ -27,7 +27,9 @@ class ConstantVelocity {
                                           : Vector6d(log(T_world_lidar_.inverse() * T_world_lidar) / (time - time_));
   }
 
-  const Vector6d& velocity() const { return velocity_; }  ///< [rad/s, m/s] in the LiDAR's own frame
+  const Vector6d& velocity() const { return velocity_; }    ///< [rad/s, m/s] in the LiDAR's own frame
+  const Pose& last_pose() const { return T_world_lidar_; }  ///< the identity before any update
+  double last_time() const { return time_; }                ///< [s] of the last pose
   int updates() const { return updates_; }
 
  private:
