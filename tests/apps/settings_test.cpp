@@ -56,6 +56,17 @@ TEST(Settings, TheLastOfAKeyCounts) {
   expect_words(tilth({"config", "--yaml", "--set", "min_range=1.5", "min_range=2.5"}).out, {"min_range: 2.5"});
 }
 
+TEST(Settings, EveryFileOfConfigsIsTaken) {
+  std::size_t files = 0;
+  for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(TILTH_SOURCE_DIR) / "configs")) {
+    ++files;
+    const Outcome outcome = tilth({"config", "--yaml", "--config", file.path().string()});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    expect_words(outcome.out, {"pipeline: "});
+  }
+  EXPECT_GT(files, 0u);
+}
+
 TEST(Settings, WhatIsNoSettingIsNoneOfThem) {
   const Outcome stray = tilth({"config", "improved_floam", "--set", "min_range=1.5", "max_range"});
   EXPECT_NE(stray.exit_code, 0);

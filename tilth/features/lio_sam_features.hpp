@@ -12,7 +12,7 @@ struct LioSamFeatureOptions {
   RangeImageOptions image{.cell_keeps = CellKeeps::first_return};
   double edge_threshold = 1.0;
   int edges = 20;
-  double plane_voxel = 0.4;
+  double plane_voxel = 0.2;
   bool sort_all_but_last = false;
 };
 

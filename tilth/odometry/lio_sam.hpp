@@ -1,5 +1,5 @@
 // LIO-SAM (Shan, Englot, Meyers, Wang, Ratti and Rus, IROS 2020) with the LiDAR alone: its scan-to-map registration and
-// its keyframes; constant velocity takes the place of the IMU.
+// its keyframes. Nothing takes the place of the IMU unless options say so: then it is constant velocity.
 #pragma once
 
 #include <tilth/features/lio_sam_features.hpp>
@@ -14,13 +14,13 @@ namespace tilth {
 
 struct LioSamOptions {
   double max_range = 1000.0;
-  bool predict = true;
-  bool deskew = true;
+  bool predict = false;
+  bool deskew = false;
   double pose_at = 0.5;
   double mapping_interval = 0.0;
   LioSamFeatureOptions features;
-  double edge_voxel = 0.2;
-  double plane_voxel = 0.4;
+  double edge_voxel = 0.1;
+  double plane_voxel = 0.2;
   LinePlaneOptions association{.weight = PairWeight::distance};
   AlignOptions align{.max_iterations = 30,
                      .transformation_epsilon = 5e-4,
@@ -37,7 +37,8 @@ template <class V>
 void visit(LioSamOptions& o, V&& v) {
   v("max_range", o.max_range, Bounds{0.1, 1e4},
     "[m] farther points are dropped; nearer ones: features.image.min_range");
-  v("predict", o.predict, "[-] registration begins at constant velocity; false: at the last pose");
+  v("predict", o.predict,
+    "[-] registration begins at constant velocity; false: at the last pose, as LIO-SAM without an IMU");
   v("deskew", o.deskew, "[-] undo the motion within a scan, at constant velocity, where points have times");
   v("pose_at", o.pose_at, Bounds{0, 1}, "[-] instant of the pose within the scan: 0 its first point, 1 its last one");
   v("mapping_interval", o.mapping_interval, Bounds{0, 1e3},
