@@ -130,7 +130,7 @@ TEST(Align, MakesPairsAnewOnlyAfterItsInnerSteps) {
 }
 
 TEST(Align, HoldsDirectionsOfTooLittleInformationAtThePrediction) {
-  const Pairs pairs = noisy_pairs(0, 600, 50);  // twelve of 600 planes tell of x
+  const Pairs pairs = noisy_pairs(0, 600, 49);  // thirteen of 600 planes tell of x
   const Pose start = kTruth * Eigen::Translation3d(0.3, 0.1, -0.1);
   AlignOptions options{.kernel = Kernel::huber, .kernel_width = kHuber};
   const AlignResult free = align_pairs(pairs, start, options);
