@@ -6,6 +6,7 @@
 #include "option_arguments.hpp"
 #include "option_listing.hpp"
 #include <tilth/odometry/make_odometry.hpp>
+#include <tilth/slam/slam.hpp>
 
 namespace tilth::app {
 namespace {
@@ -15,24 +16,32 @@ struct ConfigArguments {
   bool yaml = false, markdown = false;
 };
 
-std::string listing(const ConfigArguments& arguments, const PipelineChoice& choice) {
-  const std::vector<OptionInfo> options = describe_odometry(choice.name, choice.values);
-  if (arguments.yaml) return option_yaml(choice.name, options);
-  if (arguments.markdown) return option_markdown(choice.name, options);
-  return option_table(choice.name, options);
+std::string listing(const ConfigArguments& arguments, const std::string& title,
+                    const std::vector<OptionInfo>& options) {
+  return arguments.markdown ? option_markdown(title, options) : option_table(title, options);
 }
 
-/// One pipeline where one is named, else all of them.
+std::string file_for_config(const PipelineChoice& choice) {
+  std::vector<OptionInfo> options = describe_odometry(choice.name, choice.values);
+  const std::vector<OptionInfo> loop = describe(with<SlamOptions>(choice.loop));
+  options.insert(options.end(), loop.begin(), loop.end());
+  return option_yaml(choice.name, options);
+}
+
+/// One pipeline where one is named, else all of them; then what is common to all.
 int print_options(const ConfigArguments& arguments) {
   const PipelineChoice choice = choose_pipeline(arguments.options);
-  const bool chosen = arguments.yaml || !arguments.options.pipeline.empty() || !arguments.options.config.empty();
+  const bool chosen = !arguments.options.pipeline.empty() || !arguments.options.config.empty();
   std::string text;
-  if (chosen) {
-    text = listing(arguments, choice);
+  if (arguments.yaml) {
+    text = file_for_config(choice);
   } else {
-    for (const PipelineInfo& pipeline : pipelines()) {
-      text += (text.empty() ? "" : "\n") + listing(arguments, {pipeline.name, choice.values});
-    }
+    std::vector<std::string> names;
+    for (const PipelineInfo& pipeline : pipelines()) names.push_back(pipeline.name);
+    if (chosen) names = {choice.name};
+    for (const std::string& name : names)
+      text += listing(arguments, name, describe_odometry(name, choice.values)) + "\n";
+    text += listing(arguments, "every pipeline, with --loop-closure", describe(with<SlamOptions>(choice.loop)));
   }
   std::fputs(text.c_str(), stdout);
   return 0;

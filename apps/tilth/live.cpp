@@ -114,7 +114,7 @@ int live(const LiveArguments& arguments) {
   const PipelineChoice choice = choose_pipeline(arguments.options);
   RunRecord record = new_record(arguments.source, choice, arguments.record);
   check_folder(arguments);
-  prepare_output_folder(arguments.out, run_files(record.output));
+  prepare_output_folder(arguments.out, run_files(record.output, false));
   remember_interrupts();
   const Stopwatch stopwatch;
   const auto enough = [&] { return arguments.duration > 0.0 && stopwatch.seconds() > arguments.duration; };

@@ -51,11 +51,13 @@ OptionValues parse_settings(const std::vector<std::string>& settings) {
 }
 
 PipelineChoice choose_pipeline(const OptionArguments& arguments) {
-  PipelineChoice choice{pipelines().front().name, {}};
+  PipelineChoice choice{pipelines().front().name, {}, {}};
   if (!arguments.config.empty()) choice.values = read_config(arguments.config);
   if (const auto named = choice.values.extract("pipeline")) choice.name = named.mapped();
   if (!arguments.pipeline.empty()) choice.name = arguments.pipeline;
   for (auto& [key, value] : parse_settings(arguments.settings)) choice.values[key] = value;
+  for (auto it = choice.values.lower_bound("loop."); it != choice.values.end() && it->first.starts_with("loop.");)
+    choice.loop.insert(choice.values.extract(it++));
   return choice;
 }
 

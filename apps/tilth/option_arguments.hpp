@@ -20,6 +20,7 @@ struct OptionArguments {
 struct PipelineChoice {
   std::string name;
   OptionValues values;
+  OptionValues loop;  ///< those that begin with "loop.", which are the same for every pipeline
 };
 
 /// Adds --set to a command: key=value, as often as wanted. `settings` must outlive it.

@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "loop_closing.hpp"
 #include "option_arguments.hpp"
 #include "option_flags.hpp"
 #include "process.hpp"
@@ -27,21 +28,29 @@ struct RunArguments {
   SourceOptions input;
   RecordValues record;
   LoopOptions loop;
+  bool loop_closure = false;
   int threads = 0;  // zero: as many as there are processors
   bool quiet = false;
 };
 
 /// Registers what the source has, whatever the end.
 RunEnd register_all(const RunArguments& arguments, const PipelineChoice& choice, RunRecord& record, Console& console) {
-  const std::unique_ptr<Odometry> odometry = make_odometry(choice.name, choice.values);
+  std::unique_ptr<Odometry> odometry = make_odometry(choice.name, choice.values);
+  Slam* slam = nullptr;  // where asked for, around the odometry
+  if (arguments.loop_closure) {
+    auto around = std::make_unique<Slam>(std::move(odometry), with<SlamOptions>(choice.loop));
+    slam = around.get();
+    odometry = std::move(around);
+  }
   const std::unique_ptr<ScanSource> source = open_source(arguments.source, stopped_by_signals(arguments.input));
-  prepare_output_folder(arguments.out, run_files(record.output));
+  prepare_output_folder(arguments.out, run_files(record.output, arguments.loop_closure));
   remember_interrupts();
   const Stopwatch stopwatch;
   RegistrationLoop loop(*source, *odometry, record, console);
   const RunEnd end = with_threads(arguments.threads, [&] { return loop.run(arguments.loop); });
   record.notices = source->notices();
   for (const std::string& notice : record.notices) console.note(notice);
+  if (slam != nullptr) close_loops(*slam, record);
   record.ended = to_text(end);
   record.wall_seconds = stopwatch.seconds();
   record.peak_megabytes = peak_megabytes();
@@ -74,6 +83,8 @@ int run(const RunArguments& arguments) {
   if (!arguments.truth.empty()) truth = read_pose_file(arguments.truth);
   const PipelineChoice choice = choose_pipeline(arguments.options);
   RunRecord record = new_record(arguments.source, choice, arguments.record);
+  const SlamOptions slam = with<SlamOptions>(choice.loop);  // refused where wrong, also where not used
+  if (arguments.loop_closure) add_options(slam, record);
   const RunEnd end = register_all(arguments, choice, record, console);
   if (record.trajectory.empty() && end != RunEnd::interrupted) {
     const std::string reason = record.skipped.empty() ? "it is empty" : record.skipped.front().what;
@@ -115,6 +126,7 @@ void add_run(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<RunArguments>();
   add_input_options(*command, *arguments);
   command->add_option("--pipeline", arguments->options.pipeline, "see `tilth pipelines`; default: the first of them");
+  command->add_flag("--loop-closure", arguments->loop_closure, "find places seen before and correct the way (loop.*)");
   add_setting_arguments(*command, arguments->options);
   add_output_options(*command, *arguments);
   command->add_option("--threads", arguments->threads, "0: as many as there are processors")

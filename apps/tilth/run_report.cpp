@@ -1,5 +1,6 @@
 #include "run_report.hpp"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "machine.hpp"
@@ -24,6 +25,13 @@ std::string way_line(const RunFigures& figures) {
   std::snprintf(text, sizeof text, "%.2f m in %.1f s; the end lies %.3f m from the start", figures.distance,
                 figures.recorded_seconds, figures.end_to_start);
   return text;
+}
+
+std::string loops_line(const LoopRecord& loops) {
+  const auto accepted = std::count_if(loops.closures.begin(), loops.closures.end(),
+                                      [](const ClosureRow& row) { return row.verdict == "accepted"; });
+  return counted(loops.graph.poses.size(), "keyframe") + ", " + counted(std::size_t(accepted), "loop closure") +
+         " accepted of " + counted(loops.closures.size(), "candidate");
 }
 
 std::string speed_line(const RunFigures& figures, double megabytes) {
@@ -56,10 +64,11 @@ void report_run(const RunRecord& record, const std::string& folder, Console& con
   console.note("ended: " + record.ended);
   console.note(counts_line(record));
   console.note(way_line(figures));
+  if (record.loops) console.note(loops_line(*record.loops));
   console.note(speed_line(figures, record.peak_megabytes));
   if (record.evaluation) console.note(evaluation_table(*record.evaluation));
   std::string files = "in " + folder + ":";
-  for (const std::string& file : run_files(record.output)) files += " " + file;
+  for (const std::string& file : run_files(record.output, record.loops.has_value())) files += " " + file;
   console.note(files);
 }
 

@@ -27,7 +27,9 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
      {"core", "evaluation", "io", "sensor/point_cloud2.hpp", "sensor/pose_message.hpp", "sensor/ros2_definitions.hpp"}},
     {"odometry", {"core", "search", "sensor/lidar_model.hpp", "preprocess", "features", "registration", "map"}},
     {"sources", {"core", "sensor", "io", "simulation", "gazebo"}},
-    {"slam", {"core", "search", "registration", "odometry/odometry.hpp"}},
+    {"slam",
+     {"core", "search", "registration", "odometry/odometry.hpp", "preprocess/deskew.hpp",
+      "features/surface_patches.hpp", "map/patch_map.hpp"}},
 };
 
 /// Where alone a library's headers may stand: beginnings of paths.
@@ -48,13 +50,14 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
     {"httplib.h", {"apps/tilth/view.cpp"}},
     {"nlohmann/", {"tilth/output/", "apps/"}},
     {"CLI/", {"apps/"}},
+    {"ceres/", {"tilth/slam/optimize.cpp"}},
     {"pcl/", {}},
     {"ros/", {}},
 };
 
 /// Algorithm rooms are silent and blind: no file, no print, no clock, no thread.
-const std::set<std::string> kSilentRooms{"core",     "search",       "sensor", "evaluation", "preprocess",
-                                         "features", "registration", "map",    "simulation", "odometry"};
+const std::set<std::string> kSilentRooms{"core",         "search", "sensor",     "evaluation", "preprocess", "features",
+                                         "registration", "map",    "simulation", "odometry",   "slam"};
 const std::set<std::string> kLoudHeaders{"iostream", "fstream",  "print",   "filesystem", "chrono",
                                          "ctime",    "time.h",   "thread",  "mutex",      "future",
                                          "atomic",   "unistd.h", "csignal", "random",     "condition_variable"};

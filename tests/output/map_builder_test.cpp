@@ -52,6 +52,19 @@ TEST(MapBuilder, UndoesTheMotionWithinAScan) {
   }
 }
 
+TEST(MapBuilder, MovesThePointsOfEachScanByItsOwnMotion) {
+  MapBuilder map({.voxel = 0.1});
+  const Vector6d rest = Vector6d::Zero();
+  map.add(cloud_of({{1, 0, 0}, {2, 0, 0}}), Pose::Identity(), 0.0, rest);
+  map.add(cloud_of({{1.5, 0, 0}, {3, 0, 0}}), Pose::Identity(), 0.0, rest);
+  const Pose up(Eigen::Translation3d(0, 0, 5)), back(Eigen::Translation3d(-0.5, 0, 5));
+  map.move(std::vector<Pose>{up, back});
+  ASSERT_EQ(map.size(), 3U);  // 1.5 falls onto 1
+  EXPECT_TRUE(point_of(map.records(), 0).isApprox(Eigen::Vector3d(1, 0, 5), 1e-6));
+  EXPECT_TRUE(point_of(map.records(), 1).isApprox(Eigen::Vector3d(2, 0, 5), 1e-6));
+  EXPECT_TRUE(point_of(map.records(), 2).isApprox(Eigen::Vector3d(2.5, 0, 5), 1e-6));
+}
+
 TEST(MapBuilder, PassesOverPointsThatAreNotFinite) {
   MapBuilder map({.voxel = 0.1});
   const double infinity = std::numeric_limits<double>::infinity();

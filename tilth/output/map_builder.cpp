@@ -69,9 +69,20 @@ void MapBuilder::insert(const MapPoint& point) {
   }
 }
 
+void MapBuilder::move(std::span<const Pose> T_new_old) {
+  for (MapPoint& point : points_) {
+    const Eigen::Vector3d p = T_new_old[point.scan] * Eigen::Vector3d(point.x, point.y, point.z);
+    point = {float(p.x()), float(p.y()), float(p.z()), point.intensity, point.scan};
+  }
+  rebuild(slots_.size());
+}
+
 void MapBuilder::rebuild(std::size_t slots) {
   slots_.assign(slots, 0);
-  std::erase_if(points_, [&](const MapPoint& p) { return !take(slots_, voxel_key(p.x, p.y, p.z, voxel_)); });
+  std::erase_if(points_, [&](const MapPoint& p) {
+    const std::uint64_t key = voxel_key(p.x, p.y, p.z, voxel_);
+    return key == 0 || !take(slots_, key);
+  });
 }
 
 PointRecords MapBuilder::records() const {

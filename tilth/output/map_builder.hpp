@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <tilth/core/options.hpp>
@@ -39,6 +40,10 @@ class MapBuilder {
   /// at `velocity` ([rad/s, m/s], in its own frame) while it was measured: a point of time t lies at T_world_lidar *
   /// exp(velocity * (t - pose_time)) * p. Points that are not finite are passed over.
   void add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const Vector6d& velocity);
+
+  /// Moves the points of each scan by the motion of its number, in the world frame, and thins the map anew: what
+  /// becomes of it when the poses of all scans are corrected. `T_new_old` has one motion a scan.
+  void move(std::span<const Pose> T_new_old);
 
   std::size_t size() const { return points_.size(); }
   const std::vector<MapPoint>& points() const { return points_; }

@@ -1,6 +1,7 @@
 #include <functional>
 
 #include <tilth/core/error.hpp>
+#include <tilth/io/g2o.hpp>
 #include <tilth/io/las.hpp>
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/pcd.hpp>
@@ -42,18 +43,33 @@ std::vector<RunFile> files(const OutputOptions& options) {
   return all;
 }
 
+const std::vector<RunFile>& loop_files() {
+  using Path = std::filesystem::path;
+  static const std::vector<RunFile> all{
+      {"trajectory_odometry.tum", [](const Path& path, const RunRecord& run) { write_tum(path, run.loops->odometry); }},
+      {"closures.csv", [](const Path& path, const RunRecord& run) { write_closures(path, run.loops->closures); }},
+      {"pose_graph.g2o", [](const Path& path, const RunRecord& run) { write_g2o(path, run.loops->graph); }}};
+  return all;
+}
+
+std::vector<RunFile> files_of(const OutputOptions& options, bool loop_closure) {
+  std::vector<RunFile> all = files(options);
+  if (loop_closure) all.insert(all.end(), loop_files().begin(), loop_files().end());
+  return all;
+}
+
 }  // namespace
 
-std::vector<std::string> run_files(const OutputOptions& options) {
+std::vector<std::string> run_files(const OutputOptions& options, bool loop_closure) {
   std::vector<std::string> names;
-  for (const RunFile& file : files(options)) names.push_back(file.name);
+  for (const RunFile& file : files_of(options, loop_closure)) names.push_back(file.name);
   return names;
 }
 
 std::vector<std::string> write_run(const std::filesystem::path& folder, const RunRecord& record,
                                    const std::set<std::string>& kept) {
   std::vector<std::string> failures;
-  for (const RunFile& file : files(record.output)) {
+  for (const RunFile& file : files_of(record.output, record.loops.has_value())) {
     if (kept.contains(file.name)) continue;
     try {
       file.write(folder / file.name, record);

@@ -10,6 +10,7 @@
 #include <tilth/core/options.hpp>
 #include <tilth/core/trajectory.hpp>
 #include <tilth/evaluation/evaluate.hpp>
+#include <tilth/output/loop_record.hpp>
 #include <tilth/output/map_builder.hpp>
 #include <tilth/output/output_options.hpp>
 #include <tilth/output/scan_table.hpp>
@@ -45,18 +46,19 @@ struct RunRecord {
   ScanTable scans;
   MapBuilder map{MapOptions{}};
   OutputOptions output;
+  std::optional<LoopRecord> loops;       ///< with loop closure; then `trajectory` and `map` are the corrected ones
   std::optional<Evaluation> evaluation;  ///< where the truth is known
   double wall_seconds = 0.0;             ///< [s] of the whole run, files not counted
   double peak_megabytes = 0.0;           ///< [MB] resident
 };
 
-/// The names of the files that write_run makes. Throws Error as map_formats.
-std::vector<std::string> run_files(const OutputOptions& options);
+/// The names of the files that write_run makes of a run, with loop closure or without. Throws Error as map_formats.
+std::vector<std::string> run_files(const OutputOptions& options, bool loop_closure);
 
 /// Writes trajectory.tum, trajectory_kitti.txt, scans.csv, summary.json, report.html (with plots/) and, as
-/// `record.output` says, the map (map.pcd, map.ply, map.las) and run.mcap into `folder`. A file that cannot be written
-/// does not keep the others from it. Returns what went wrong, one sentence a file. `kept` are files that are left as
-/// they stand.
+/// `record.output` says, the map (map.pcd, map.ply, map.las) and run.mcap into `folder`, and with loop closure
+/// trajectory_odometry.tum, closures.csv and pose_graph.g2o. A file that cannot be written does not keep the others
+/// from it. Returns what went wrong, one sentence a file. `kept` are files that are left as they stand.
 std::vector<std::string> write_run(const std::filesystem::path& folder, const RunRecord& record,
                                    const std::set<std::string>& kept = {});
 

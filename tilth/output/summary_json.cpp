@@ -66,6 +66,14 @@ Json skipped(const RunRecord& record) {
   return list;
 }
 
+Json loop_closure(const LoopRecord& loops) {
+  Json verdicts = Json::object();
+  for (const ClosureRow& row : loops.closures) verdicts[row.verdict] = verdicts.value(row.verdict, 0) + 1;
+  return {{"keyframes", loops.graph.poses.size()},     {"candidates", loops.closures.size()},
+          {"accepted", verdicts.value("accepted", 0)}, {"verdicts", verdicts},
+          {"optimizations", loops.optimizations},      {"finish_ms", loops.finish_ms}};
+}
+
 }  // namespace
 
 RunFigures figures_of(const RunRecord& record) {
@@ -104,6 +112,7 @@ std::string summary_json(const RunRecord& record) {
                   {"peak_megabytes", record.peak_megabytes},
                   {"distance_m", figures.distance},
                   {"end_to_start_m", figures.end_to_start}};
+  if (record.loops) summary["loop_closure"] = loop_closure(*record.loops);
   if (record.evaluation) summary["evaluation"] = Json::parse(evaluation_json(*record.evaluation));
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,0 +1,54 @@
+#include "loop_closing.hpp"
+
+#include "stopwatch.hpp"
+
+namespace tilth::app {
+namespace {
+
+template <class E>
+std::string name_of(E value) {
+  return std::string(names_of(value)[std::size_t(value)]);
+}
+
+ClosureRow row_of(const LoopClosure& closure, const std::vector<Keyframe>& keyframes) {
+  const Keyframe &from = keyframes[closure.constraint.from], &to = keyframes[closure.constraint.to];
+  ClosureRow row;
+  row.from_scan = from.scan, row.to_scan = to.scan;
+  row.from_stamp = from.stamp, row.to_stamp = to.stamp;
+  row.constraint = closure.constraint;
+  row.found_by = name_of(closure.found_by), row.verdict = name_of(closure.verdict);
+  row.overlap = closure.overlap, row.facing_overlap = closure.facing_overlap, row.fitness = closure.fitness;
+  row.degenerate_directions = closure.degenerate_directions;
+  row.squared_error = closure.squared_error;
+  return row;
+}
+
+std::vector<Pose> corrections(const Trajectory& before, const Trajectory& after) {
+  std::vector<Pose> T_after_before;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    T_after_before.push_back(after[i].T_world_lidar * before[i].T_world_lidar.inverse());
+  return T_after_before;
+}
+
+}  // namespace
+
+void add_options(const SlamOptions& options, RunRecord& record) {
+  const std::vector<OptionInfo> values = describe(options), defaults = describe(SlamOptions{});
+  record.options.insert(record.options.end(), values.begin(), values.end());
+  record.defaults.insert(record.defaults.end(), defaults.begin(), defaults.end());
+}
+
+void close_loops(Slam& slam, RunRecord& record) {
+  const Stopwatch stopwatch;
+  slam.finish();
+  LoopRecord loops{.odometry = record.trajectory, .graph = slam.loops().graph()};
+  for (const LoopClosure& closure : slam.loops().closures())
+    loops.closures.push_back(row_of(closure, slam.loops().keyframes()));
+  loops.optimizations = slam.loops().optimizations();
+  record.trajectory = slam.trajectory();
+  record.map.move(corrections(loops.odometry, record.trajectory));
+  loops.finish_ms = stopwatch.milliseconds();
+  record.loops = std::move(loops);
+}
+
+}  // namespace tilth::app

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+#include <tilth/slam/loop_closer.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kWorthOptimizing = 1.0;  // [sigma^2] that an accepted closure and the graph differ by
+
+// [m] of odometry on the shortest way from the newest keyframe to each, closures taken as no way at all (Dijkstra).
+std::vector<double> ways_to(const std::vector<Keyframe>& keyframes, const std::vector<LoopClosure>& closures) {
+  std::vector<std::vector<std::size_t>> joined(keyframes.size());
+  for (const LoopClosure& closure : closures) {
+    if (closure.verdict != Verdict::accepted) continue;
+    joined[closure.constraint.from].push_back(closure.constraint.to);
+    joined[closure.constraint.to].push_back(closure.constraint.from);
+  }
+  std::vector<double> ways(keyframes.size(), std::numeric_limits<double>::infinity());
+  std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>> open;
+  const auto reach = [&](double way, std::size_t i) {
+    if (way < ways[i]) open.emplace(ways[i] = way, i);
+  };
+  reach(0, keyframes.size() - 1);
+  while (!open.empty()) {
+    const auto [way, i] = open.top();
+    open.pop();
+    if (way > ways[i]) continue;
+    if (i > 0) reach(way + keyframes[i].way - keyframes[i - 1].way, i - 1);
+    if (i + 1 < keyframes.size()) reach(way + keyframes[i + 1].way - keyframes[i].way, i + 1);
+    for (const std::size_t other : joined[i]) reach(way, other);
+  }
+  return ways;
+}
+
+}  // namespace
+
+void LoopCloser::add(Keyframe keyframe, const std::function<void(std::string_view)>& begin_stage) {
+  const Pose T_last_now = keyframes_.empty() ? keyframe.T_odometry_lidar
+                                             : keyframes_.back().T_odometry_lidar.inverse() * keyframe.T_odometry_lidar;
+  poses_.push_back(poses_.empty() ? T_last_now : normalized(poses_.back() * T_last_now));
+  keyframes_.push_back(std::move(keyframe));
+
+  begin_stage("loop_detection");
+  const std::vector<Expectation> expected = expectations();
+  const PlacesSeen places{keyframes_, expected};
+  std::vector<LoopCandidate> candidates = candidates_by_radius(places, options_.detect);
+  const std::vector<LoopCandidate> alike = candidates_by_context(places, options_.detect);
+  if (candidates.empty() && alike.empty()) return;
+
+  begin_stage("loop_verification");
+  const std::size_t newest = keyframes_.size() - 1;
+  const Submap to = submap(newest, newest - std::min(newest, std::size_t(options_.submap_to)), newest);
+  const std::size_t before = closures_.size();
+  if (!verify_all(candidates, expected, to)) verify_all(alike, expected, to);
+  const bool worth = std::any_of(closures_.begin() + std::ptrdiff_t(before), closures_.end(), [](const auto& c) {
+    return c.verdict == Verdict::accepted && c.squared_error > kWorthOptimizing;
+  });
+  if (!worth) return;
+  begin_stage("pose_graph");
+  optimize();
+}
+
+bool LoopCloser::verify_all(const std::vector<LoopCandidate>& candidates, const std::vector<Expectation>& expected,
+                            const Submap& newest) {
+  bool any = false;
+  for (const LoopCandidate& candidate : candidates) {
+    const auto reach = std::size_t(options_.submap_from);
+    const Submap from =
+        submap(candidate.from, candidate.from - std::min(candidate.from, reach), candidate.from + reach);
+    LoopClosure closure = verify(candidate, from, newest, expected[candidate.from], options_.verify);
+    if (closure.verdict == Verdict::accepted) {
+      any = true;
+      closure.verdict = confirm(closure) ? Verdict::accepted : Verdict::unconfirmed;
+    }
+    closures_.push_back(closure);
+  }
+  return any;
+}
+
+// Whether another verified closure says the same; that one then is confirmed as well.
+bool LoopCloser::confirm(LoopClosure& closure) {
+  const Constraint& mine = closure.constraint;
+  closure.squared_error = squared_error(mine, poses_[mine.from], poses_[mine.to]);
+  const auto way_between = [&](std::size_t a, std::size_t b) {
+    return std::abs(keyframes_[a].way - keyframes_[b].way);
+  };
+  bool confirmed = false;
+  for (LoopClosure& other : closures_) {
+    const Constraint& theirs = other.constraint;
+    const bool verified = other.verdict == Verdict::accepted || other.verdict == Verdict::unconfirmed;
+    if (!verified || theirs.to == mine.to || way_between(theirs.to, mine.to) > options_.consistency.way ||
+        way_between(theirs.from, mine.from) > 2 * options_.consistency.way)
+      continue;
+    const Pose T_to_to = poses_[mine.to].inverse() * poses_[theirs.to];
+    const Pose T_from_from = poses_[mine.from].inverse() * poses_[theirs.from];
+    const Pose around = mine.T_from_to * T_to_to * theirs.T_from_to.inverse() * T_from_from.inverse();
+    if (around.translation().norm() > options_.consistency.distance ||
+        angle_of(around) > options_.consistency.angle * kDegree)
+      continue;
+    other.verdict = Verdict::accepted;
+    confirmed = true;
+  }
+  return confirmed;
+}
+
+std::vector<Expectation> LoopCloser::expectations() const {
+  const std::vector<double> ways = ways_to(keyframes_, closures_);
+  const UncertaintyOptions& o = options_.odometry;
+  std::vector<Expectation> expected(keyframes_.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    expected[i] = {poses_[i].inverse() * poses_.back(), o.least + o.sigmas * o.drift * ways[i],
+                   (o.least_turn + o.sigmas * o.turn_drift * ways[i]) * kDegree};
+  }
+  return expected;
+}
+
+Submap LoopCloser::submap(std::size_t center, std::size_t first, std::size_t last) const {
+  SurfacePatches patches;
+  for (std::size_t i = first; i <= std::min(last, keyframes_.size() - 1); ++i) {
+    const SurfacePatches more = moved(keyframes_[i].patches, poses_[center].inverse() * poses_[i]);
+    patches.insert(patches.end(), more.begin(), more.end());
+  }
+  return Submap(std::move(patches), options_.verify.submap);
+}
+
+Constraint LoopCloser::odometry_constraint(std::size_t to) const {
+  const Keyframe &a = keyframes_[to - 1], &b = keyframes_[to];
+  const double way = std::max(b.way - a.way, 0.1), noise = options_.odometry.noise;
+  const double turn_noise = options_.odometry.turn_noise * kDegree;
+  Matrix6d covariance = options_.odometry.covariance_scale * b.covariance;
+  covariance.diagonal().head<3>().array() += turn_noise * turn_noise * way;
+  covariance.diagonal().tail<3>().array() += noise * noise * way;
+  return {to - 1, to, a.T_odometry_lidar.inverse() * b.T_odometry_lidar, covariance.inverse(), false};
+}
+
+PoseGraph LoopCloser::graph() const {
+  PoseGraph graph{.poses = poses_};
+  for (std::size_t i = 1; i < keyframes_.size(); ++i) graph.constraints.push_back(odometry_constraint(i));
+  for (const LoopClosure& closure : closures_)
+    if (closure.verdict == Verdict::accepted) graph.constraints.push_back(closure.constraint);
+  return graph;
+}
+
+void LoopCloser::optimize() {
+  while (true) {
+    poses_ = tilth::optimize(graph(), options_.graph).poses;
+    ++optimizations_;
+    LoopClosure* worst = nullptr;
+    for (LoopClosure& c : closures_) {
+      if (c.verdict != Verdict::accepted) continue;
+      c.squared_error = squared_error(c.constraint, poses_[c.constraint.from], poses_[c.constraint.to]);
+      if (worst == nullptr || c.squared_error > worst->squared_error) worst = &c;
+    }
+    if (worst == nullptr || worst->squared_error <= options_.consistency.max_squared_error) return;
+    worst->verdict = Verdict::outvoted;
+  }
+}
+
+}  // namespace tilth

@@ -1,0 +1,136 @@
+#include <tilth/registration/association.hpp>
+#include <tilth/slam/submap.hpp>
+
+namespace tilth {
+namespace {
+
+PatchMap map_of(const SurfacePatches& patches, double voxel_size) {
+  PatchMapOptions options;
+  options.voxel_size = voxel_size;
+  PatchMap map(options);
+  map.insert(patches, Pose::Identity());
+  return map;
+}
+
+struct Target {
+  const PatchMap& map;
+  double voxel_size;
+};
+
+// The pairs of one association: flat patches are held along the normal of their surface alone.
+class PatchPairs {
+  AssociationOptions reach() const {
+    return {.max_distance = target_.voxel_size, .lambda = 0.5 * options_.patch_variance};
+  }
+  auto lookup() const {
+    return
+        [this](const Eigen::Vector3d& p, const Eigen::Vector3d& n, bool flat) { return target_.map.find(p, n, flat); };
+  }
+
+ public:
+  PatchPairs(const SurfacePatches& source, const Target& target, const SubmapOptions& options)
+      : target_(target), options_(options) {
+    for (const SurfacePatch& patch : source) (patch.flat ? flat_ : others_).push_back(patch);
+  }
+
+  std::vector<PointToPlane> planes(const Pose& T) const {
+    std::vector<PointToPlane> pairs;
+    pairs.reserve(flat_.size());
+    for_each_match(flat_, T, lookup(), reach(), [&](const SurfacePatch& patch, const MapSurface& surface) {
+      if ((T.linear() * patch.normal).dot(surface.normal) < options_.min_cosine) return;
+      const double variance = double(patch.thickness) + surface.variance + options_.patch_variance;
+      pairs.push_back({patch.mean, surface.mean, surface.normal / std::sqrt(variance)});
+    });
+    return pairs;
+  }
+
+  std::vector<DistributionToDistribution> shapes(const Pose& T) const {
+    return associate_distributions(others_, T, lookup(), reach());
+  }
+
+ private:
+  SurfacePatches flat_, others_;
+  Target target_;
+  const SubmapOptions& options_;
+};
+
+AlignResult align_to(const PatchPairs& pairs, const Pose& T_init, double kernel_width, const SubmapOptions& options) {
+  AlignOptions align_options;
+  align_options.max_iterations = options.max_iterations;
+  align_options.transformation_epsilon = 1e-4;
+  align_options.fitness_epsilon = 0;
+  align_options.kernel = Kernel::geman_mcclure;
+  align_options.kernel_width = kernel_width;
+  return align(
+      T_init, align_options, [&](const Pose& T) { return pairs.planes(T); },
+      [&](const Pose& T) { return pairs.shapes(T); });
+}
+
+// Which axis a normal of the target's frame lies nearest to.
+int nearest_axis(const Eigen::Matrix3d& axes_in_target, const Eigen::Vector3d& normal) {
+  int axis;
+  (axes_in_target.transpose() * normal).cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
+}  // namespace
+
+Submap::Submap(SurfacePatches patches, const SubmapOptions& options)
+    : patches_(std::move(patches)),
+      coarse_(map_of(patches_, options.coarse_voxel)),
+      fine_(map_of(patches_, options.fine_voxel)) {}
+
+AlignResult refine(const SurfacePatches& source, const Submap& target, const Pose& T_init,
+                   const SubmapOptions& options) {
+  const PatchPairs pairs(source, {target.fine(), options.fine_voxel}, options);
+  AlignResult result{.T_target_source = T_init};
+  const double first_width = 4 * options.kernel_width;
+  for (double width = first_width; width > 0.99 * options.kernel_width; width /= 2)
+    result = align_to(pairs, result.T_target_source, width, options);
+  result.candidates = source.size();
+  return result;
+}
+
+AlignResult register_submap(const SurfacePatches& source, const Submap& target, const Pose& T_init,
+                            const SubmapOptions& options) {
+  const PatchPairs pairs(source, {target.coarse(), options.coarse_voxel}, options);
+  const AlignResult coarse = align_to(pairs, T_init, options.first_kernel_width, options);
+  return refine(source, target, coarse.T_target_source, options);
+}
+
+Overlap overlap_of(const SurfacePatches& source, const Pose& T_target_source, const PatchMap& target,
+                   const FacingAxes& facing, const SubmapOptions& options) {
+  const Eigen::Matrix3d R = T_target_source.linear(), axes = R * facing.axes;
+  Eigen::Array4d all = Eigen::Array4d::Zero(), same = Eigen::Array4d::Zero();  // three axes; what is not flat
+  double squares = 0;
+  for (const SurfacePatch& patch : source) {
+    if (patch.mean.norm() > options.range) continue;
+    const Eigen::Vector3d point = T_target_source * patch.mean, normal = R * patch.normal;
+    const int kind = patch.flat ? nearest_axis(axes, normal) : 3;
+    all[kind] += 1;
+    const MapSurface* surface = target.find(point, normal, patch.flat);
+    if (surface == nullptr) continue;
+    const Eigen::Vector3d offset = point - surface->mean;
+    const bool turned = patch.flat && normal.dot(surface->normal) < options.min_cosine;
+    const double distance = patch.flat ? std::abs(surface->normal.dot(offset)) : offset.norm() / 3;
+    if (turned || distance > options.same_distance) continue;
+    same[kind] += 1;
+    squares += distance * distance;
+  }
+  Overlap overlap{same.sum() / std::max(1.0, all.sum()), 1.0, std::sqrt(squares / std::max(1.0, same.sum()))};
+  for (int axis = 0; axis < 3; ++axis)
+    if (all[axis] >= facing.few) overlap.least_share = std::min(overlap.least_share, same[axis] / all[axis]);
+  return overlap;
+}
+
+SurfacePatches moved(SurfacePatches patches, const Pose& T_target_source) {
+  const Eigen::Matrix3d R = T_target_source.linear();
+  for (SurfacePatch& patch : patches) {
+    patch.mean = T_target_source * patch.mean;
+    patch.normal = R * patch.normal;
+    patch.covariance = R * patch.covariance * R.transpose();
+  }
+  return patches;
+}
+
+}  // namespace tilth
