@@ -17,7 +17,8 @@ ClosureRow row_of(const LoopClosure& closure, const std::vector<Keyframe>& keyfr
   row.from_stamp = from.stamp, row.to_stamp = to.stamp;
   row.constraint = closure.constraint;
   row.found_by = name_of(closure.found_by), row.verdict = name_of(closure.verdict);
-  row.overlap = closure.overlap, row.facing_overlap = closure.facing_overlap, row.fitness = closure.fitness;
+  row.overlap = closure.overlap, row.back_overlap = closure.back_overlap;
+  row.landmarks = closure.landmarks, row.fitness = closure.fitness;
   row.degenerate_directions = closure.degenerate_directions;
   row.squared_error = closure.squared_error;
   return row;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <tilth/core/se3.hpp>
 #include <tilth/slam/scan_context.hpp>
 
 namespace tilth {

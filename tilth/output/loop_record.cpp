@@ -12,7 +12,8 @@ constexpr const char* kAxes[] = {"rx", "ry", "rz", "tx", "ty", "tz"};
 
 std::string header() {
   std::string text =
-      "from,to,from_scan,to_scan,from_stamp,to_stamp,x,y,z,qx,qy,qz,qw,found_by,verdict,overlap,facing_overlap,fitness,"
+      "from,to,from_scan,to_scan,from_stamp,to_stamp,x,y,z,qx,qy,qz,qw,found_by,verdict,overlap,back_overlap,landmarks,"
+      "fitness,"
       "degenerate_directions,squared_error";
   for (int row = 0; row < 6; ++row)
     for (int column = row; column < 6; ++column)
@@ -29,8 +30,8 @@ std::string line_of(const ClosureRow& row) {
   for (const double value : {row.from_stamp, row.to_stamp, t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()})
     out << ',' << exact_text(value);
   out << ',' << row.found_by << ',' << row.verdict << std::setprecision(6);
-  out << ',' << row.overlap << ',' << row.facing_overlap << ',' << row.fitness << ',' << row.degenerate_directions
-      << ',' << row.squared_error << std::setprecision(9);
+  out << ',' << row.overlap << ',' << row.back_overlap << ',' << row.landmarks << ',' << row.fitness << ','
+      << row.degenerate_directions << ',' << row.squared_error << std::setprecision(9);
   for (int i = 0; i < 6; ++i)
     for (int j = i; j < 6; ++j) out << ',' << c.information(i, j);
   out << '\n';

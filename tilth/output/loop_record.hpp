@@ -17,8 +17,8 @@ struct ClosureRow {
   double from_stamp = 0.0, to_stamp = 0.0;  ///< [s]
   Constraint constraint;                    ///< between keyframes
   std::string found_by, verdict;
-  double overlap = 0.0, facing_overlap = 0.0;  ///< [-]
-  double fitness = 0.0;                        ///< [m]
+  double overlap = 0.0, back_overlap = 0.0, landmarks = 0.0;  ///< [-]
+  double fitness = 0.0;                                       ///< [m]
   int degenerate_directions = 0;
   double squared_error = 0.0;  ///< [sigma^2] that the graph leaves of it
 };

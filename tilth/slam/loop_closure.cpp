@@ -32,52 +32,57 @@ void weigh(const Matrix6d& information, const Vector6d& scale, const VerifyOptio
   closure.constraint.information = back * weights.asDiagonal() * back.transpose();
 }
 
-// Least determined direction of translation first.
-Eigen::Matrix3d translation_axes(const Matrix6d& information) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information.bottomRightCorner<3, 3>()).eigenvectors();
+// The direction of translation that is determined least, in the frame of the query.
+Eigen::Vector3d weakest_axis(const Matrix6d& information) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information.bottomRightCorner<3, 3>()).eigenvectors().col(0);
 }
 
-// Both directions; the lesser counts.
-Overlap mutual_overlap(const Submap& from, const Submap& to, const Pose& T_from_to, const Eigen::Matrix3d& axes,
-                       const SubmapOptions& options) {
-  const FacingAxes facing{axes};
-  const Overlap forth = overlap_of(to.patches(), T_from_to, from.fine(), facing, options);
-  const Overlap back =
-      overlap_of(moved(from.patches(), T_from_to.inverse()), Pose::Identity(), to.fine(), facing, options);
-  return {std::min(forth.share, back.share), std::min(forth.least_share, back.least_share),
-          std::max(forth.fitness, back.fitness)};
+// The submaps of a candidate, and the direction of translation between them that is determined least.
+struct SubmapPair {
+  const Submap &from, &to;
+  Eigen::Vector3d axis;
+};
+
+void measure_overlap(const SubmapPair& pair, const SubmapOptions& options, LoopClosure& closure) {
+  const Pose& T_from_to = closure.constraint.T_from_to;
+  const Overlap forth = overlap_of(pair.to.patches(), T_from_to, pair.from.fine(), pair.axis, options);
+  const SurfacePatches seen_from_to = moved(pair.from.patches(), T_from_to.inverse());
+  closure.overlap = forth.share;
+  closure.landmarks = forth.landmarks;
+  closure.fitness = forth.fitness;
+  closure.back_overlap = overlap_of(seen_from_to, Pose::Identity(), pair.to.fine(), pair.axis, options).share;
 }
 
-// Whether the submaps fit as well elsewhere: poses along `axis` (in the query's frame) are tried as far as odometry
-// leaves them open.
-bool fits_elsewhere(const LoopClosure& closure, const Submap& from, const Submap& to, const Expectation& expected,
+// Whether the submaps fit as well elsewhere: poses along the weakest axis are tried as far as odometry leaves them
+// open.
+bool fits_elsewhere(const LoopClosure& closure, const SubmapPair& pair, const Expectation& expected,
                     const VerifyOptions& options) {
   const Pose& T_found = closure.constraint.T_from_to;
-  const Eigen::Matrix3d axes = translation_axes(closure.constraint.information);
   const int steps = int(std::ceil(2 * expected.translation / options.ambiguity_step));
   for (int i = -steps; i <= steps; ++i) {
-    const Eigen::Vector3d shift = axes.col(0) * (i * options.ambiguity_step);
+    const Eigen::Vector3d shift = pair.axis * (i * options.ambiguity_step);
     const Pose T_shifted = T_found * Eigen::Translation3d(shift);
     if (i == 0 || !agrees(T_shifted, expected)) continue;
-    const Pose T_other = refine(to.patches(), from, T_shifted, options.submap).T_target_source;
+    const Pose T_other = refine(pair.to.patches(), pair.from, T_shifted, options.submap).T_target_source;
     const double apart = (T_found.translation() - T_other.translation()).norm();
     if (apart < options.ambiguity_step / 2 || !agrees(T_other, expected)) continue;
-    const Overlap overlap = overlap_of(to.patches(), T_other, from.fine(), {axes}, options.submap);
-    if (overlap.least_share > options.ambiguity * closure.facing_overlap) return true;
+    const Overlap overlap = overlap_of(pair.to.patches(), T_other, pair.from.fine(), pair.axis, options.submap);
+    if (overlap.landmarks > options.ambiguity * closure.landmarks) return true;
   }
   return false;
 }
 
 // A direction that is not determined at all is left open by the constraint, which is enough where odometry tells what
 // it is, but not where only the likeness of two places does.
-bool is_ambiguous(const LoopClosure& closure, const Submap& from, const Submap& to, const Expectation& expected,
+bool is_ambiguous(const LoopClosure& closure, const SubmapPair& pair, const Expectation& expected,
                   const VerifyOptions& options) {
   if (closure.degenerate_directions > 0) return closure.found_by == FoundBy::context;
-  return fits_elsewhere(closure, from, to, expected, options);
+  return fits_elsewhere(closure, pair, expected, options);
 }
 
 Verdict judge(const LoopClosure& closure, const Expectation& expected, const VerifyOptions& options) {
-  if (closure.overlap < options.min_overlap || closure.facing_overlap < options.min_facing_overlap)
+  if (closure.overlap < options.min_overlap || closure.back_overlap < options.min_back_overlap ||
+      closure.landmarks < options.min_landmarks)
     return Verdict::little_overlap;
   if (closure.fitness > options.max_fitness) return Verdict::poor_fitness;
   return agrees(closure.constraint.T_from_to, expected) ? Verdict::accepted : Verdict::against_odometry;
@@ -110,13 +115,10 @@ LoopClosure verify(const LoopCandidate& candidate, const Submap& from, const Sub
   if (!found.converged) return closure;
   closure.constraint.T_from_to = found.T_target_source;
   weigh(found.information, arc_scale(to.patches()), options, closure);
-  const Overlap overlap =
-      mutual_overlap(from, to, found.T_target_source, translation_axes(found.information), options.submap);
-  closure.overlap = overlap.share;
-  closure.facing_overlap = overlap.least_share;
-  closure.fitness = overlap.fitness;
+  const SubmapPair pair{from, to, weakest_axis(found.information)};
+  measure_overlap(pair, options.submap, closure);
   closure.verdict = judge(closure, expected, options);
-  if (closure.verdict == Verdict::accepted && is_ambiguous(closure, from, to, expected, options))
+  if (closure.verdict == Verdict::accepted && is_ambiguous(closure, pair, expected, options))
     closure.verdict = Verdict::ambiguous;
   return closure;
 }

@@ -15,8 +15,9 @@ namespace tilth {
 
 struct VerifyOptions {
   SubmapOptions submap;
-  double min_overlap = 0.6;
-  double min_facing_overlap = 0.4;
+  double min_overlap = 0.65;
+  double min_back_overlap = 0.35;
+  double min_landmarks = 0.4;
   double max_fitness = 0.06;
   double degeneracy_ratio = 0.01;
   double noise = 0.01;
@@ -29,9 +30,10 @@ template <class V>
 void visit(VerifyOptions& o, V&& v) {
   v("submap", o.submap, "[-] registration of two submaps");
   v("min_overlap", o.min_overlap, Bounds{0, 1},
-    "[-] share of the patches on a surface of the other submap, either way");
-  v("min_facing_overlap", o.min_facing_overlap, Bounds{0, 1},
-    "[-] the same of those that face one way: walls alone do not make a place");
+    "[-] share of the newest patches that lie on surfaces of the earlier submap, at least");
+  v("min_back_overlap", o.min_back_overlap, Bounds{0, 1}, "[-] share of the earlier patches on surfaces of the newest");
+  v("min_landmarks", o.min_landmarks, Bounds{0, 1},
+    "[-] min_overlap of the patches that tell the least determined direction: walls and floor alone make no place");
   v("max_fitness", o.max_fitness, Bounds{1e-4, 10}, "[m] root mean square distance of these patches from the surfaces");
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
     "[-] a direction with less information than this share of the best one is not constrained by a closure");
@@ -69,9 +71,9 @@ struct LoopClosure {
   Constraint constraint = {};  ///< between keyframes
   FoundBy found_by = FoundBy::radius;
   Verdict verdict = Verdict::not_registered;
-  double overlap = 0.0;         ///< [-] the lesser of the two directions
-  double facing_overlap = 0.0;  ///< [-] the same of the patches that face one way
-  double fitness = 0.0;         ///< [m]
+  double overlap = 0.0, back_overlap = 0.0;  ///< [-] of the newest patches, of the earlier ones
+  double landmarks = 0.0;                    ///< [-] overlap of those that tell the least determined direction
+  double fitness = 0.0;                      ///< [m]
   int degenerate_directions = 0;
   double squared_error = 0.0;  ///< [sigma^2] against what was expected, later against the optimised graph
 };

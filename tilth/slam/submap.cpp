@@ -1,3 +1,6 @@
+#include <cmath>
+#include <optional>
+
 #include <tilth/registration/association.hpp>
 #include <tilth/slam/submap.hpp>
 
@@ -66,11 +69,15 @@ AlignResult align_to(const PatchPairs& pairs, const Pose& T_init, double kernel_
       [&](const Pose& T) { return pairs.shapes(T); });
 }
 
-// Which axis a normal of the target's frame lies nearest to.
-int nearest_axis(const Eigen::Matrix3d& axes_in_target, const Eigen::Vector3d& normal) {
-  int axis;
-  (axes_in_target.transpose() * normal).cwiseAbs().maxCoeff(&axis);
-  return axis;
+// [m] from the surface, or nothing where the patch does not lie on it.
+std::optional<double> distance_on(const MapSurface* surface, const SurfacePatch& patch, const Pose& T_target_source,
+                                  const SubmapOptions& options) {
+  if (surface == nullptr) return std::nullopt;
+  const Eigen::Vector3d offset = T_target_source * patch.mean - surface->mean;
+  if (!patch.flat) return offset.norm() > 2 * options.same_distance ? std::nullopt : std::optional(offset.norm() / 2);
+  const double distance = std::abs(surface->normal.dot(offset));
+  const bool alike = (T_target_source.linear() * patch.normal).dot(surface->normal) >= options.min_cosine;
+  return alike && distance <= options.same_distance ? std::optional(distance) : std::nullopt;
 }
 
 }  // namespace
@@ -99,28 +106,24 @@ AlignResult register_submap(const SurfacePatches& source, const Submap& target, 
 }
 
 Overlap overlap_of(const SurfacePatches& source, const Pose& T_target_source, const PatchMap& target,
-                   const FacingAxes& facing, const SubmapOptions& options) {
-  const Eigen::Matrix3d R = T_target_source.linear(), axes = R * facing.axes;
-  Eigen::Array4d all = Eigen::Array4d::Zero(), same = Eigen::Array4d::Zero();  // three axes; what is not flat
-  double squares = 0;
+                   const Eigen::Vector3d& axis, const SubmapOptions& options) {
+  constexpr double kAlong = 0.7;  // cosine
+  double all = 0, landmarks = 0, same = 0, same_landmarks = 0, squares = 0;
   for (const SurfacePatch& patch : source) {
     if (patch.mean.norm() > options.range) continue;
-    const Eigen::Vector3d point = T_target_source * patch.mean, normal = R * patch.normal;
-    const int kind = patch.flat ? nearest_axis(axes, normal) : 3;
-    all[kind] += 1;
-    const MapSurface* surface = target.find(point, normal, patch.flat);
-    if (surface == nullptr) continue;
-    const Eigen::Vector3d offset = point - surface->mean;
-    const bool turned = patch.flat && normal.dot(surface->normal) < options.min_cosine;
-    const double distance = patch.flat ? std::abs(surface->normal.dot(offset)) : offset.norm() / 3;
-    if (turned || distance > options.same_distance) continue;
-    same[kind] += 1;
-    squares += distance * distance;
+    const bool landmark = !patch.flat || std::abs(patch.normal.dot(axis)) > kAlong;
+    const Eigen::Vector3d normal = T_target_source.linear() * patch.normal;
+    const auto distance =
+        distance_on(target.find(T_target_source * patch.mean, normal, patch.flat), patch, T_target_source, options);
+    ++all;
+    landmarks += landmark;
+    if (!distance) continue;
+    ++same;
+    same_landmarks += landmark;
+    squares += *distance * *distance;
   }
-  Overlap overlap{same.sum() / std::max(1.0, all.sum()), 1.0, std::sqrt(squares / std::max(1.0, same.sum()))};
-  for (int axis = 0; axis < 3; ++axis)
-    if (all[axis] >= facing.few) overlap.least_share = std::min(overlap.least_share, same[axis] / all[axis]);
-  return overlap;
+  return {same / std::max(1.0, all), same_landmarks / std::max(1.0, landmarks),
+          std::sqrt(squares / std::max(1.0, same))};
 }
 
 SurfacePatches moved(SurfacePatches patches, const Pose& T_target_source) {

@@ -59,20 +59,14 @@ AlignResult refine(const SurfacePatches& source, const Submap& target, const Pos
 
 /// How far two submaps tell of the same surfaces.
 struct Overlap {
-  double share = 0.0;        ///< of the patches within range that lie on a surface of the other submap
-  double least_share = 0.0;  ///< the same of those that face one way, the worst of the three `axes`
-  double fitness = 0.0;      ///< [m] root mean square distance from these surfaces
+  double share = 0.0;      ///< of the patches within range that lie on a surface of the other submap
+  double landmarks = 0.0;  ///< the same of those that face along an axis, or are not flat
+  double fitness = 0.0;    ///< [m] root mean square distance from these surfaces
 };
 
-/// `axes`, columns in the source's frame, sort the flat patches by the way they face; an axis along which less than
-/// `few` patches face is not judged.
-struct FacingAxes {
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  int few = 20;
-};
-
+/// `axis`, in the source's frame, says what landmarks are: walls along which a corridor leads are none.
 Overlap overlap_of(const SurfacePatches& source, const Pose& T_target_source, const PatchMap& target,
-                   const FacingAxes& axes, const SubmapOptions& options);
+                   const Eigen::Vector3d& axis, const SubmapOptions& options);
 
 /// `patches` moved by T_target_source.
 SurfacePatches moved(SurfacePatches patches, const Pose& T_target_source);
