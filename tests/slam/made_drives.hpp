@@ -10,22 +10,31 @@
 
 namespace tilth {
 
-/// A corridor along x, 2.4 m wide and 3 m high, with a door on either side at each of `doors` [m], driven by `legs`
-/// from 2 m behind its beginning.
-inline Scene corridor_with_doors(double length, const std::vector<double>& doors, const std::vector<Leg>& legs) {
+/// A corridor along x, 2.4 m wide and 3 m high, with doors on either side.
+struct CorridorPlan {
+  double length;              ///< [m]
+  std::vector<double> doors;  ///< [m] where each begins, ascending
+  bool closed = true;         ///< a wall at either end
+};
+
+/// The corridor, driven by `legs` from 2 m behind its beginning.
+inline Scene corridor_scene(const CorridorPlan& plan, const std::vector<Leg>& legs) {
   constexpr double kHalfWidth = 1.2, kHeight = 3.0, kLidarHeight = 0.8;
   Scene scene;
   Mesh& mesh = scene.mesh;
   const SurfaceId wall = add_surface(mesh, {"wall"}), door = add_surface(mesh, {"door"});
   std::vector<Opening> right, left;
-  for (const double at : doors) {
+  const double length = plan.length;
+  for (const double at : plan.doors) {
     right.push_back({.at = at, .recess = 0.1, .panel = int(door)});
     left.insert(left.begin(), {.at = length - at - 1.0, .recess = 0.1, .panel = int(door)});
   }
   add_wall(mesh, wall, {{0, -kHalfWidth, 0}, {length, -kHalfWidth, 0}, kHeight, right});
   add_wall(mesh, wall, {{length, kHalfWidth, 0}, {0, kHalfWidth, 0}, kHeight, left});
-  add_wall(mesh, wall, {{0, kHalfWidth, 0}, {0, -kHalfWidth, 0}, kHeight, {}});
-  add_wall(mesh, wall, {{length, -kHalfWidth, 0}, {length, kHalfWidth, 0}, kHeight, {}});
+  if (plan.closed) {
+    add_wall(mesh, wall, {{0, kHalfWidth, 0}, {0, -kHalfWidth, 0}, kHeight, {}});
+    add_wall(mesh, wall, {{length, -kHalfWidth, 0}, {length, kHalfWidth, 0}, kHeight, {}});
+  }
   for (const double z : {0.0, kHeight})
     add_quad(mesh, wall, {0, -kHalfWidth, z}, {Eigen::Vector3d(length, 0, 0), Eigen::Vector3d(0, 2 * kHalfWidth, 0)},
              kNoSides);

@@ -15,7 +15,7 @@ Pose at(double x, double y, double yaw = 0) {
 }
 
 GraphOptions without_kernel() {
-  return {.kernel_width = 1e6};
+  return {.kernel_width = 1e3};
 }
 
 /// A drive once round a square of 4 m, a pose a metre, as truth says.
@@ -57,8 +57,8 @@ TEST(OptimizePoseGraph, SharesAContradictionAsSolvedByHand) {
   const OptimizedGraph optimized = optimize(graph, without_kernel());
   EXPECT_TRUE(optimized.converged);
   EXPECT_TRUE(optimized.poses[0].isApprox(at(0, 0), 1e-12));
-  EXPECT_TRUE(optimized.poses[1].isApprox(at(1.1, 0), 1e-6));
-  EXPECT_TRUE(optimized.poses[2].isApprox(at(2.2, 0), 1e-6));
+  EXPECT_TRUE(optimized.poses[1].isApprox(at(1.1, 0), 1e-5));
+  EXPECT_TRUE(optimized.poses[2].isApprox(at(2.2, 0), 1e-5));
 }
 
 TEST(OptimizePoseGraph, WeighsByInformation) {
@@ -86,7 +86,7 @@ TEST(OptimizePoseGraph, ClosesADriftedSquare) {
   Vector6d drift;
   drift << 0.001, -0.002, 0.01, 0.02, 0.01, -0.01;
   PoseGraph graph = drifted(truth, drift);
-  ASSERT_GT(worst_error(graph.poses, truth), 0.5);
+  ASSERT_GT(worst_error(graph.poses, truth), 0.4);
   graph.constraints.push_back(true_closure(truth, 0, 16));
   const std::vector<Pose> poses = optimize(graph, without_kernel()).poses;
   EXPECT_LT((poses[16].translation() - truth[16].translation()).norm(), 0.02);

@@ -53,7 +53,7 @@ TEST(Slam, FindsItsWayBackInTheOppositeDirection) {
   const std::vector<double> doors{3, 4.7, 9, 13, 14.5, 19, 21, 23.5};
   const std::vector<Leg> there_and_back{{1, 0, 0},           {18, 1.0, 0}, {1, 0, 0},
                                         {4, 0, kTurnAround}, {17, 1.0, 0}, {2, 0, 0}};
-  const Simulator simulator = simulated(corridor_with_doors(26, doors, there_and_back));
+  const Simulator simulator = simulated(corridor_scene({26, doors}, there_and_back));
   const Outcome outcome = drive_with(simulator, {.scale = 0.005, .turn = 0.001}, 4);
   EXPECT_GT(end_error(simulator, outcome.before), 0.2);
   EXPECT_GE(outcome.count(Verdict::accepted), 4U);
@@ -66,9 +66,9 @@ TEST(Slam, ClosesNothingOnOneWayThroughIdenticalDoors) {
   std::vector<double> doors;
   for (double at = 2; at < 58; at += 3) doors.push_back(at);
   const std::vector<Leg> one_way{{1, 0, 0}, {37, 1.5, 0}, {1, 0, 0}};
-  const Simulator simulator = simulated(corridor_with_doors(60, doors, one_way));
+  const Simulator simulator = simulated(corridor_scene({60, doors}, one_way));
   const Outcome outcome = drive_with(simulator, {.scale = -0.01, .turn = 0.0005}, 5);
-  EXPECT_GT(outcome.keyframes.size(), 40U);
+  EXPECT_GT(outcome.keyframes.size(), 30U);
   EXPECT_EQ(outcome.count(Verdict::accepted), 0U);
   EXPECT_TRUE(std::equal(
       outcome.before.begin(), outcome.before.end(), outcome.after.begin(),
@@ -82,14 +82,14 @@ TEST(Slam, TakesNoDoorForItsNeighbour) {
   for (double at = 1; at < 38; at += 1.5) doors.push_back(at);
   const std::vector<Leg> there_and_back{{1, 0, 0},           {28, 1.0, 0}, {1, 0, 0},
                                         {4, 0, kTurnAround}, {20, 1.0, 0}, {1, 0, 0}};
-  const Simulator simulator = simulated(corridor_with_doors(40, doors, there_and_back));
+  const Simulator simulator = simulated(corridor_scene({40, doors}, there_and_back));
   const Outcome outcome = drive_with(simulator, {.scale = 0.02, .turn = 0.0}, 4);
   EXPECT_LT(worst_closure(simulator, outcome), 0.1);
   EXPECT_LT(end_error(simulator, outcome.after), end_error(simulator, outcome.before) + 0.05);
 }
 
 TEST(Slam, SurvivesScansWithoutPoints) {
-  const Simulator simulator = simulated(corridor_with_doors(12, {3, 7}, {{3, 1.0, 0}}));
+  const Simulator simulator = simulated(corridor_scene({12, {3, 7}}, {{3, 1.0, 0}}));
   Slam slam(std::make_unique<DriftingOdometry>(simulator, Drift{}), {});
   for (std::size_t i = 0; i < simulator.size(); i += 10) slam.register_scan({simulator.stamp(i), {}});
   slam.finish();

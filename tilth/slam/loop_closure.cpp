@@ -1,4 +1,5 @@
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Eigenvalues>
 
@@ -53,31 +54,41 @@ void measure_overlap(const SubmapPair& pair, const SubmapOptions& options, LoopC
   closure.back_overlap = overlap_of(seen_from_to, Pose::Identity(), pair.to.fine(), pair.axis, options).share;
 }
 
-// Whether the submaps fit as well elsewhere: poses along the weakest axis are tried as far as odometry leaves them
-// open.
-bool fits_elsewhere(const LoopClosure& closure, const SubmapPair& pair, const Expectation& expected,
-                    const VerifyOptions& options) {
+// Where a registration ends that begins `shift` [m] along the weakest axis, if that is elsewhere and fits as well.
+std::optional<Pose> other_fit(const LoopClosure& closure, const SubmapPair& pair, double shift,
+                              const VerifyOptions& options) {
   const Pose& T_found = closure.constraint.T_from_to;
-  const int steps = int(std::ceil(2 * expected.translation / options.ambiguity_step));
-  for (int i = -steps; i <= steps; ++i) {
-    const Eigen::Vector3d shift = pair.axis * (i * options.ambiguity_step);
-    const Pose T_shifted = T_found * Eigen::Translation3d(shift);
-    if (i == 0 || !agrees(T_shifted, expected)) continue;
-    const Pose T_other = refine(pair.to.patches(), pair.from, T_shifted, options.submap).T_target_source;
-    const double apart = (T_found.translation() - T_other.translation()).norm();
-    if (apart < options.ambiguity_step / 2 || !agrees(T_other, expected)) continue;
-    const Overlap overlap = overlap_of(pair.to.patches(), T_other, pair.from.fine(), pair.axis, options.submap);
-    if (overlap.landmarks > options.ambiguity * closure.landmarks) return true;
-  }
-  return false;
+  const Pose T_shifted = T_found * Eigen::Translation3d(shift * pair.axis);
+  const Pose T_other = refine(pair.to.patches(), pair.from, T_shifted, options.submap).T_target_source;
+  if ((T_found.translation() - T_other.translation()).norm() < options.ambiguity_step / 2) return std::nullopt;
+  const Overlap overlap = overlap_of(pair.to.patches(), T_other, pair.from.fine(), pair.axis, options.submap);
+  return overlap.landmarks > options.ambiguity * closure.landmarks ? std::optional(T_other) : std::nullopt;
 }
 
-// A direction that is not determined at all is left open by the constraint, which is enough where odometry tells what
-// it is, but not where only the likeness of two places does.
+// A direction along which the submaps slide is left open by the constraint.
+void leave_open_what_slides(const SubmapPair& pair, const VerifyOptions& options, LoopClosure& closure) {
+  const double step = options.ambiguity_step;
+  if (!other_fit(closure, pair, step, options) && !other_fit(closure, pair, -step, options)) return;
+  Matrix6d across = Matrix6d::Identity();
+  across.bottomRightCorner<3, 3>() -= pair.axis * pair.axis.transpose();
+  closure.constraint.information = across * closure.constraint.information * across;
+  closure.degenerate_directions = std::max(1, closure.degenerate_directions);
+}
+
+// Whether another pose that odometry leaves open fits as well. A direction that is not determined at all does no harm
+// where odometry tells what it is, but where only the likeness of two places does.
 bool is_ambiguous(const LoopClosure& closure, const SubmapPair& pair, const Expectation& expected,
                   const VerifyOptions& options) {
   if (closure.degenerate_directions > 0) return closure.found_by == FoundBy::context;
-  return fits_elsewhere(closure, pair, expected, options);
+  const int steps = int(std::ceil(2 * expected.translation / options.ambiguity_step));
+  for (int i = -steps; i <= steps; ++i) {
+    const double shift = i * options.ambiguity_step;
+    const bool tried = std::abs(i) < 2;
+    if (tried || !agrees(closure.constraint.T_from_to * Eigen::Translation3d(shift * pair.axis), expected)) continue;
+    const std::optional<Pose> other = other_fit(closure, pair, shift, options);
+    if (other && agrees(*other, expected)) return true;
+  }
+  return false;
 }
 
 Verdict judge(const LoopClosure& closure, const Expectation& expected, const VerifyOptions& options) {
@@ -118,8 +129,9 @@ LoopClosure verify(const LoopCandidate& candidate, const Submap& from, const Sub
   const SubmapPair pair{from, to, weakest_axis(found.information)};
   measure_overlap(pair, options.submap, closure);
   closure.verdict = judge(closure, expected, options);
-  if (closure.verdict == Verdict::accepted && is_ambiguous(closure, pair, expected, options))
-    closure.verdict = Verdict::ambiguous;
+  if (closure.verdict != Verdict::accepted) return closure;
+  leave_open_what_slides(pair, options, closure);
+  if (is_ambiguous(closure, pair, expected, options)) closure.verdict = Verdict::ambiguous;
   return closure;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -19,7 +18,7 @@ struct VerifyOptions {
   double min_back_overlap = 0.35;
   double min_landmarks = 0.4;
   double max_fitness = 0.06;
-  double degeneracy_ratio = 0.01;
+  double degeneracy_ratio = 0.003;
   double noise = 0.01;
   double variance_scale = 10.0;
   double ambiguity_step = 0.5;

@@ -23,6 +23,8 @@ void visit(SlamOptions& o, V&& v) {
 class Slam : public Odometry {
  public:
   Slam(std::unique_ptr<Odometry> odometry, const SlamOptions& options);
+  Slam(const Slam&) = delete;  // the odometry reports its stages to this very object
+  Slam& operator=(const Slam&) = delete;
 
   /// What the odometry makes of the scan; a keyframe closes its loops on the way.
   OdometryResult register_scan(const Scan& scan) override;
