@@ -71,6 +71,39 @@ TEST(Summary, SaysWhatTheRunWas) {
   EXPECT_FALSE(summary.contains("evaluation"));
 }
 
+RunRecord looped_record() {
+  RunRecord record = sample_record();
+  LoopRecord loops{.odometry = record.trajectory};
+  loops.graph.poses.assign(3, Pose::Identity());
+  for (const char* verdict : {"accepted", "ambiguous", "accepted"}) {
+    ClosureRow row;
+    row.verdict = verdict;
+    loops.closures.push_back(row);
+  }
+  record.loops = loops;
+  return record;
+}
+
+TEST(Summary, TellsOfLoopClosure) {
+  EXPECT_FALSE(nlohmann::json::parse(summary_json(sample_record())).contains("loop_closure"));
+  const nlohmann::json loops = nlohmann::json::parse(summary_json(looped_record()))["loop_closure"];
+  EXPECT_EQ(loops["keyframes"], 3);
+  EXPECT_EQ(loops["candidates"], 3);
+  EXPECT_EQ(loops["accepted"], 2);
+  EXPECT_EQ(loops["verdicts"]["ambiguous"], 1);
+}
+
+TEST(RunRecord, WritesTheFilesOfLoopClosureWhereThereWasOne) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(write_run(folder / "", looped_record()).empty());
+  for (const std::string& file : run_files(true)) EXPECT_FALSE(text_of(folder / file).empty()) << file;
+  std::istringstream lines(text_of(folder / "closures.csv"));
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count)
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 41) << line;
+  EXPECT_EQ(count, 4U);
+}
+
 TEST(ScanTable, HasOneCellAColumn) {
   const TemporaryFolder folder;
   write_scan_table(folder / "scans.csv", sample_record().scans);
