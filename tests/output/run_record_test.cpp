@@ -96,7 +96,7 @@ TEST(Summary, TellsOfLoopClosure) {
 TEST(RunRecord, WritesTheFilesOfLoopClosureWhereThereWasOne) {
   const TemporaryFolder folder;
   EXPECT_TRUE(write_run(folder / "", looped_record()).empty());
-  for (const std::string& file : run_files(true)) EXPECT_FALSE(text_of(folder / file).empty()) << file;
+  for (const std::string& file : run_files(OutputOptions{}, true)) EXPECT_FALSE(text_of(folder / file).empty()) << file;
   std::istringstream lines(text_of(folder / "closures.csv"));
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count)
