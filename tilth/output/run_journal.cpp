@@ -46,7 +46,7 @@ std::string first_line(const fs::path& path) {
 }
 
 const fs::path& emptied(const fs::path& folder, const OutputOptions& options) {
-  for (const std::string& file : run_files(options)) fs::remove(folder / file);
+  for (const std::string& file : run_files(options, true)) fs::remove(folder / file);
   fs::remove(folder / kMap);
   return folder;
 }
