@@ -21,7 +21,7 @@ struct LioSamOptions {
   LioSamFeatureOptions features;
   double edge_voxel = 0.1;
   double plane_voxel = 0.2;
-  LinePlaneOptions association{.weight = PairWeight::distance};
+  LinePlaneOptions association{.weight_slope = 0.9};
   AlignOptions align{.max_iterations = 30,
                      .transformation_epsilon = 5e-4,
                      .rotation_epsilon = 8.7266e-4,
