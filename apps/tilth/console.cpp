@@ -44,9 +44,13 @@ void Console::error(const std::string& text) {
 }
 
 void Console::progress(std::size_t done, std::optional<std::size_t> total) {
-  if (quiet_ || !terminal_ || done == 0 || line_.seconds() < kSecondsBetweenLines) return;
+  if (done > 0) show_progress(progress_line(done, total, run_.seconds()));
+}
+
+void Console::show_progress(const std::string& text) {
+  if (quiet_ || !terminal_ || line_.seconds() < kSecondsBetweenLines) return;
   line_ = Stopwatch();
-  std::fprintf(stderr, "\r\033[K%s", progress_line(done, total, run_.seconds()).c_str());
+  std::fprintf(stderr, "\r\033[K%s", text.c_str());
   line_open_ = true;
 }
 

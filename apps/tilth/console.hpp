@@ -19,6 +19,8 @@ class Console {
 
   /// Rewrites the progress line, a few times a second; only on a terminal. `total` where it is known.
   void progress(std::size_t done, std::optional<std::size_t> total);
+  /// Rewrites the progress line as `text`, a few times a second; only on a terminal.
+  void show_progress(const std::string& text);
   void clear_progress();
 
  private:

@@ -79,10 +79,12 @@ std::optional<Scan> RegistrationLoop::read() {
 
 bool RegistrationLoop::register_scan(const Scan& scan, double read_ms) {
   try {
+    const double cpu_before = thread_cpu_milliseconds();
     clock_.start();
     const OdometryResult result = odometry_.register_scan(scan);
     ScanRow row = row_of(scan, result);
     row.register_ms = clock_.stop();
+    row.register_cpu_ms = thread_cpu_milliseconds() - cpu_before;
     row.stage_ms = clock_.milliseconds();
     row.read_ms = read_ms;
     keep(scan, result, std::move(row));

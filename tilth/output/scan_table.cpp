@@ -12,7 +12,8 @@ constexpr int kDigits = 9;
 
 void write_header(std::ostream& out, const std::vector<std::string>& stages) {
   out << "index,stamp,points_read,points_in,outliers,edges,planes,candidates,matches,iterations,converged,error,"
-         "degenerate_directions,var_rx,var_ry,var_rz,var_tx,var_ty,var_tz,ms_read,ms_register,ms_build_map";
+         "degenerate_directions,var_rx,var_ry,var_rz,var_tx,var_ty,var_tz,ms_read,ms_register,ms_build_map,"
+         "cpu_ms_register";
   for (const std::string& stage : stages) out << ",ms_" << stage;
   out << '\n';
 }
@@ -27,7 +28,7 @@ void write_row(std::ostream& out, const ScanRow& row, std::size_t index, std::si
   out << ',' << row.iterations << ',' << int(row.converged) << ',' << row.error << ',' << row.degenerate_directions;
   for (const double variance : row.variances) out << ',' << variance;
   out << std::fixed << std::setprecision(4);
-  for (const double ms : {row.read_ms, row.register_ms, row.map_ms}) out << ',' << ms;
+  for (const double ms : {row.read_ms, row.register_ms, row.map_ms, row.register_cpu_ms}) out << ',' << ms;
   for (std::size_t i = 0; i < stages; ++i) out << ',' << (i < row.stage_ms.size() ? row.stage_ms[i] : 0.0);
   out << '\n';
 }

@@ -32,6 +32,7 @@ Json milliseconds(const ScanTable& table) {
         over_scans(table, [i](const ScanRow& row) { return i < row.stage_ms.size() ? row.stage_ms[i] : 0.0; });
   }
   return {{"register", over_scans(table, [](const ScanRow& row) { return row.register_ms; })},
+          {"register_cpu", over_scans(table, [](const ScanRow& row) { return row.register_cpu_ms; })},
           {"read", over_scans(table, [](const ScanRow& row) { return row.read_ms; })},
           {"build_map", over_scans(table, [](const ScanRow& row) { return row.map_ms; })},
           {"stages", std::move(stages)}};

@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <tilth/io/output_file.hpp>
+#include <tilth/output/heat_map.hpp>
+#include <tilth/output/sweep.hpp>
+
+namespace tilth {
+namespace {
+
+const std::vector<FigureColumn>& study_columns() {
+  static const std::vector<FigureColumn> columns{{"removed_percent", "removed %", 2},
+                                                 {"edges", "edges", 0},
+                                                 {"planes", "planes", 0},
+                                                 {"outliers_ms", "neighbours+filter ms", 2},
+                                                 {"removed_obvious_percent", "obvious removed %", 1},
+                                                 {"kept_surface_percent", "surface kept %", 1},
+                                                 {"kept_edges_percent", "edges kept %", 1},
+                                                 {"filter_accuracy_percent", "accuracy %", 1},
+                                                 {"pseudo_reduction_percent", "fewer pseudo %", 1},
+                                                 {"pseudo_share_percent", "pseudo of edges %", 1}};
+  return columns;
+}
+
+const std::vector<FigureColumn>& error_columns() {
+  static const std::vector<FigureColumn> columns{{"runs", "runs"},          {"failed", "failed"},
+                                                 {"ape_rmse_m", "RMSE", 4}, {"ape_mean_m", "mean", 4},
+                                                 {"ape_max_m", "max", 4},   {"cpu_ms_mean", "CPU ms", 2}};
+  return columns;
+}
+
+bool belongs(const SweepRun& run, const MethodSummary& entry) {
+  return run.outcome.label.source == entry.source && run.outcome.label.method == entry.method;
+}
+
+/// The mean of a figure over the runs of an entry that have it.
+Figure mean_figure(const Sweep& sweep, const MethodSummary& entry, const std::string& key) {
+  double sum = 0, count = 0;
+  for (const SweepRun& run : sweep.runs) {
+    const auto found = run.figures.find(key);
+    if (!belongs(run, entry) || found == run.figures.end()) continue;
+    sum += found->second;
+    ++count;
+  }
+  return count > 0 ? Figure(sum / count) : Figure();
+}
+
+std::vector<MethodSummary> summaries_of(const Sweep& sweep) {
+  std::vector<RunOutcome> outcomes;
+  for (const SweepRun& run : sweep.runs) outcomes.push_back(run.outcome);
+  return summarize(outcomes);
+}
+
+std::vector<Figure> row_of(const Sweep& sweep, const MethodSummary& entry) {
+  const auto run =
+      std::find_if(sweep.runs.begin(), sweep.runs.end(), [&](const SweepRun& r) { return belongs(r, entry); });
+  std::vector<Figure> row{entry.source};
+  for (const std::string& value : run->values) row.emplace_back(value);
+  row.insert(row.end(), {double(entry.runs), double(entry.failed)});
+  const bool judged = entry.judged > 0;
+  for (const double value : {entry.ape.rmse, entry.ape.mean, entry.ape.max, entry.mean.cpu_ms})
+    row.push_back(judged ? Figure(value) : Figure());
+  for (const FigureColumn& column : study_columns()) row.push_back(mean_figure(sweep, entry, column.key));
+  return row;
+}
+
+std::vector<std::string> notes_of(const Sweep& sweep) {
+  std::vector<std::string> notes{
+      "APE of the translation [m] over all poses of all runs of a setting; removed: of the points in range; neighbours+"
+      "filter: wall time of that stage. From labelled scans where there are any: obvious outliers removed, surface and "
+      "edge structures kept, points judged rightly, pseudo-features (edge features whose point is false) done away "
+      "with, "
+      "and their share of the edge features left."};
+  for (const SweepRun& run : sweep.runs) {
+    const RunOutcome& outcome = run.outcome;
+    if (outcome.failure.empty()) continue;
+    notes.push_back("Failed: " + outcome.label.source + ", seed " + outcome.label.seed + ", " + outcome.label.method +
+                    ": " + outcome.failure);
+  }
+  return notes;
+}
+
+std::vector<std::string> distinct(const FigureTable& table, const std::string& source, std::size_t column) {
+  std::vector<std::string> words;
+  for (const auto& row : table.rows) {
+    const bool wanted = source.empty() || row[0].word == source;
+    if (wanted && std::find(words.begin(), words.end(), row[column].word) == words.end())
+      words.push_back(row[column].word);
+  }
+  return words;
+}
+
+/// The mean of a column over the rows of a source with these values of the first two parameters.
+double cell_of(const FigureTable& table, const std::array<std::string, 3>& words, std::size_t column) {
+  double sum = 0, count = 0;
+  for (const auto& row : table.rows) {
+    if (row[0].word != words[0] || row[1].word != words[1] || row[2].word != words[2] || !row[column].number) continue;
+    sum += *row[column].number;
+    ++count;
+  }
+  return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+}
+
+HeatMap heat_map_of(const FigureTable& table, const std::string& source, std::size_t column) {
+  HeatMap map{source + ": " + table.columns[column].title,
+              table.columns[1].title,
+              table.columns[2].title,
+              distinct(table, source, 1),
+              distinct(table, source, 2),
+              {}};
+  for (const std::string& y : map.y_values) {
+    map.cells.emplace_back();
+    for (const std::string& x : map.x_values) map.cells.back().push_back(cell_of(table, {source, x, y}, column));
+  }
+  return map;
+}
+
+std::string file_word(std::string word) {
+  for (char& c : word) {
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '=' && c != '.') c = '_';
+  }
+  return word;
+}
+
+void write_heat_maps(const std::filesystem::path& folder, const Sweep& sweep, const FigureTable& table) {
+  for (const std::string& source : distinct(table, "", 0)) {
+    for (std::size_t column = sweep.parameters.size() + 1; column < table.columns.size(); ++column) {
+      const std::string& key = table.columns[column].key;
+      const bool known = std::any_of(table.rows.begin(), table.rows.end(),
+                                     [&](const auto& row) { return row[0].word == source && row[column].number; });
+      if (key == "runs" || key == "failed" || !known) continue;
+      const std::string name = "heat_" + file_word(source) + "_" + key + ".svg";
+      write_text(folder / name, heat_map_svg(heat_map_of(table, source, column)));
+    }
+  }
+}
+
+}  // namespace
+
+FigureTable sweep_table(const Sweep& sweep) {
+  FigureTable table{
+      "Sweep of " + sweep.pipeline + ", tilth " + sweep.version, {{"source", "source"}}, {}, notes_of(sweep)};
+  for (const std::string& key : sweep.parameters) table.columns.push_back({key, key});
+  for (const auto& columns : {error_columns(), study_columns()})
+    table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+  for (const MethodSummary& entry : summaries_of(sweep)) table.rows.push_back(row_of(sweep, entry));
+  return table;
+}
+
+void write_sweep(const std::filesystem::path& folder, const Sweep& sweep) {
+  const FigureTable table = sweep_table(sweep);
+  const std::array<std::string, 1> names{"sweep"};
+  write_text(folder / "sweep.txt", table_text(table));
+  write_text(folder / "sweep.md", table_markdown(table));
+  write_text(folder / "sweep.csv", table_csv(table));
+  write_text(folder / "sweep.json", tables_json(names, {&table, 1}));
+  if (sweep.parameters.size() > 1) write_heat_maps(folder, sweep, table);
+}
+
+}  // namespace tilth
