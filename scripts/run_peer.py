@@ -85,7 +85,28 @@ class SmallGicp:
         return self.pose
 
 
-PEERS = {"kiss_icp": KissIcp, "genz_icp": GenzIcp, "small_gicp": SmallGicp}
+class MadIcp:
+    """Default parameters, 4 keyframes, deskewing on, ranges from 0.7 to 120 m."""
+
+    package, pose_at = "mad-icp", 0.5
+    min_range, max_range = 0.7, 120.0  # [m]
+
+    def __init__(self):
+        settings = importlib.import_module("mad_icp.configurations.mad_params").MADConfiguration_lut["default"]
+        order = ("b_max", "rho_ker", "p_th", "b_min", "b_ratio")
+        values = [settings[name] for name in order]
+        library = importlib.import_module("mad_icp.src.pybind.pypeline")
+        self.vector = library.VectorEigen3d
+        self.odometry = library.Pipeline(RATE, True, *values, 4, 1, False)
+        self.numpy = importlib.import_module("numpy")
+
+    def register(self, points, _times, stamp):
+        ranges = self.numpy.linalg.norm(points, axis=1)
+        self.odometry.compute(stamp, self.vector(points[(ranges > self.min_range) & (ranges < self.max_range)]))
+        return self.odometry.currentPose()
+
+
+PEERS = {"kiss_icp": KissIcp, "genz_icp": GenzIcp, "mad_icp": MadIcp, "small_gicp": SmallGicp}
 
 
 def read_pcd(path, numpy):

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstdio>
 
 #include "number_list.hpp"
 #include "run_matrix.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/simulation/scenes.hpp>
+#include <tilth/simulation/simulator.hpp>
 #include <tilth/sources/simulated_source.hpp>
 #include <tilth/sources/source_uri.hpp>
 

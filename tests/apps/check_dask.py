@@ -20,7 +20,7 @@ from needs import needs  # noqa: E402
 needs("dask", "distributed")
 from distributed import Client, LocalCluster  # noqa: E402
 
-SOURCE = "sim://corridor?columns=400&duration=1.2"
+SOURCE = "sim://corridor?columns=400&duration=1.6"
 
 
 def kill_worker_after_first_job(client, runs, killed):
@@ -40,7 +40,7 @@ def main():
         out, killed = Path(folder) / "out", []
         killer = threading.Thread(target=kill_worker_after_first_job, args=(client, out / "runs", killed))
         killer.start()
-        command = [tilth, "compare", "--source", SOURCE, "--seeds", "1-6", "--pipelines", "tilth", "--out", str(out)]
+        command = [tilth, "compare", "--source", SOURCE, "--seeds", "1-6", "--align", "origin", "--pipelines", "tilth", "--out", str(out)]
         command += ["--engine", "dask", "--scheduler", cluster.scheduler_address, "--python", sys.executable]
         ended = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
         killer.join(timeout=10)

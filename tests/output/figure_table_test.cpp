@@ -49,6 +49,11 @@ TEST(FigureTable, SaysTheSameInJson) {
   EXPECT_TRUE(json["made"]["rows"][1]["error_m"].is_null());
 }
 
+TEST(FigureTable, WritesCountsWithoutAPoint) {
+  FigureTable table{"t", {{"x", "x"}, {"y", "y"}}, {{12.0, 0.5}}, {}};
+  EXPECT_EQ(table_csv(table), "x,y\n12,0.5\n");
+}
+
 TEST(FigureTable, HasNoNumberThatIsNotFinite) {
   FigureTable table{"t", {{"x", "x", 1}}, {{std::nan("")}, {HUGE_VAL}}, {}};
   EXPECT_EQ(table_csv(table), "x\n\n\n");

@@ -116,7 +116,8 @@ std::vector<std::string> notes_of(const Comparison& comparison) {
   std::array<char, 64> bound{};
   std::snprintf(bound.data(), bound.size(), "%g", comparison.judging.max_ape);
   std::vector<std::string> notes{
-      "APE of the translation [m] over all poses of all runs together; rot.: of the rotation; RPE over a metre; drift: "
+      "APE of the translation [m] over all poses of all runs together; rot.: of the rotation; RPE over ten scans "
+      "unless asked otherwise; drift: "
       "of the end, first poses made equal, in % of the path; CPU ms: a scan on one core, reading not counted.",
       "A run fails that ends with an error, loses scans or has an APE RMSE above " + std::string(bound.data()) +
           " m; failed runs count in every figure that they have.",

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -13,6 +14,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Row = std::vector<std::string>;
 
+constexpr double kLargestCount = 1e15;  // whole numbers below are written without a point
+
 std::string rounded(const Figure& figure, int decimals) {
   if (figure.is_word) return figure.word;
   if (!figure.number || !std::isfinite(*figure.number)) return "-";
@@ -23,7 +26,9 @@ std::string rounded(const Figure& figure, int decimals) {
 
 Json exact(const Figure& figure) {
   if (figure.is_word) return figure.word;
-  return figure.number && std::isfinite(*figure.number) ? Json(*figure.number) : Json(nullptr);
+  if (!figure.number || !std::isfinite(*figure.number)) return nullptr;
+  const bool whole = *figure.number == std::floor(*figure.number) && std::abs(*figure.number) < kLargestCount;
+  return whole ? Json(std::int64_t(*figure.number)) : Json(*figure.number);
 }
 
 std::string dumped(const Json& json, int indent) {
@@ -104,7 +109,8 @@ std::string table_text(const FigureTable& table) {
 
 std::string table_markdown(const FigureTable& table) {
   const std::vector<Row> rows = words_of(table);
-  std::string text = "**" + markdown_word(table.title) + "**\n\n";
+  std::string text = "**";
+  text.append(markdown_word(table.title)).append("**\n\n");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     text += "|";
     for (const std::string& word : rows[i]) text.append(" ").append(markdown_word(word)).append(" |");
@@ -115,7 +121,7 @@ std::string table_markdown(const FigureTable& table) {
       text += has_words(table, column) ? "---|" : "--:|";
     text += "\n";
   }
-  for (const std::string& note : table.notes) text += "\n" + markdown_word(note) + "\n";
+  for (const std::string& note : table.notes) text.append("\n").append(markdown_word(note)).append("\n");
   return text;
 }
 

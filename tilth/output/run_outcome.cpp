@@ -94,7 +94,7 @@ JudgingOptions judging_defaults() {
   JudgingOptions options;
   options.evaluation.align = Alignment::se3;
   options.evaluation.association.interpolate = true;  // truth and poses seldom share their stamps
-  options.evaluation.rpe.pairs.unit = DeltaUnit::meters;
+  options.evaluation.rpe.pairs.delta = 10;            // frames: about a second, also where nothing moves
   options.evaluation.rpe.pairs.all_pairs = true;
   options.max_ape = 2.0;
   return options;

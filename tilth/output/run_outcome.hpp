@@ -42,7 +42,7 @@ struct JudgingOptions {
   double max_ape = 0.0;  ///< [m] RMSE from which on a run counts as failed
 };
 
-/// How runs are judged where nothing else is asked for: rigidly aligned, truth interpolated, RPE over a metre of path.
+/// How runs are judged where nothing else is asked for: rigidly aligned, truth interpolated, RPE over ten scans.
 JudgingOptions judging_defaults();
 
 /// The outcome of the run in `place`. `failure` is what is known to have gone wrong already, or empty. Whatever cannot
