@@ -86,9 +86,9 @@ class SmallGicp:
 
 
 class MadIcp:
-    """Default parameters, 4 keyframes, deskewing on, ranges from 0.7 to 120 m."""
+    """Default parameters, 4 keyframes, ranges from 0.7 to 120 m, deskewing on, to the end of the scan."""
 
-    package, pose_at = "mad-icp", 0.5
+    package, pose_at = "mad-icp", 1.0
     min_range, max_range = 0.7, 120.0  # [m]
 
     def __init__(self):

@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kReportPoints = "200000";  // of the map in each report.html: a comparison has many
+
 void replace_all(std::string& text, const std::string& name, const std::string& value) {
   for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + value.size()))
     text.replace(at, name.size(), value);
@@ -91,7 +93,7 @@ Method pipeline_method(const std::string& text, const MatrixArguments& arguments
   const PipelineChoice choice = choose_pipeline(options);
   describe_odometry(choice.name, choice.values);  // throws where a name or value is wrong
   Command run{"tilth", "run", "{scans}", "--out", "{out}", "--pipeline", choice.name, "--quiet"};
-  run.insert(run.end(), {"--threads", std::to_string(arguments.threads)});
+  run.insert(run.end(), {"--threads", std::to_string(arguments.threads), "--report-points", kReportPoints});
   if (arguments.max_scans > 0) run.insert(run.end(), {"--max-scans", std::to_string(arguments.max_scans)});
   for (const auto& [key, value] : choice.values) run.insert(run.end(), {"--set", key + "=" + value});
   return {text, {run}, own_name()};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <tilth/output/figure_table.hpp>
+#include <tilth/output/report.hpp>
 #include <tilth/output/run_outcome.hpp>
 
 namespace tilth {
@@ -42,7 +43,11 @@ double improvement(double mean, double base_mean);
 FigureTable summary_table(const Comparison& comparison);  ///< one row a source and method
 FigureTable runs_table(const Comparison& comparison);     ///< one row a run
 
-/// Writes comparison.txt, .md, .csv (the summary), runs.csv and comparison.json (both). Throws Error where one cannot
+/// A section a source: its table, the errors as boxes, CPU times as bars.
+Report report_of(const Comparison& comparison);
+
+/// Writes comparison.txt, .md, .csv (the summary), runs.csv, comparison.json (both)
+/// and report.html with plots/. Throws Error where one cannot
 /// be written.
 void write_comparison(const std::filesystem::path& folder, const Comparison& comparison);
 

@@ -4,6 +4,7 @@
 
 #include <tilth/io/output_file.hpp>
 #include <tilth/output/comparison.hpp>
+#include <tilth/output/html_report.hpp>
 
 namespace tilth {
 namespace {
@@ -155,6 +156,7 @@ void write_comparison(const std::filesystem::path& folder, const Comparison& com
   write_text(folder / "comparison.csv", table_csv(tables[0]));
   write_text(folder / "runs.csv", table_csv(tables[1]));
   write_text(folder / "comparison.json", tables_json(names, tables));
+  write_report(folder, report_of(comparison));
 }
 
 }  // namespace tilth

@@ -5,29 +5,17 @@
 #include <limits>
 
 #include <tilth/output/heat_map.hpp>
+#include <tilth/output/svg_canvas.hpp>
 
 namespace tilth {
 namespace {
 
 constexpr int kCellWidth = 76, kCellHeight = 34, kLeft = 130, kTop = 64, kBelow = 62;  // [px]
 
-std::string escaped(const std::string& word) {
-  std::string text;
-  for (const char c : word) {
-    switch (c) {
-      case '&': text += "&amp;"; break;
-      case '<': text += "&lt;"; break;
-      case '>': text += "&gt;"; break;
-      default: text += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-    }
-  }
-  return text;
-}
-
 std::string text_at(double x, double y, const std::string& anchor, const std::string& words) {
   std::array<char, 160> head{};
   std::snprintf(head.data(), head.size(), "<text x=\"%g\" y=\"%g\" text-anchor=\"%s\">", x, y, anchor.c_str());
-  return head.data() + escaped(words) + "</text>\n";
+  return head.data() + markup_text(words) + "</text>\n";
 }
 
 std::array<double, 2> range_of(const HeatMap& map) {
