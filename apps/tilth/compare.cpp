@@ -48,7 +48,11 @@ std::string base_of(const CompareArguments& arguments, const std::vector<Method>
 int compare(const CompareArguments& arguments) {
   const Peers peers = find_peers(arguments.peers, arguments.matrix);
   const std::vector<Method> methods = methods_of(arguments, peers);
-  Comparison comparison{TILTH_VERSION, base_of(arguments, methods), judging_of(arguments.matrix), {}, peers.skipped};
+  Comparison comparison;
+  comparison.version = TILTH_VERSION;
+  comparison.base = base_of(arguments, methods);
+  comparison.judging = judging_of(arguments.matrix);
+  comparison.skipped = peers.skipped;
   comparison.remarks = peers.used;
   const std::vector<MatrixRun> runs = plan_runs(arguments.matrix, methods);
   if (arguments.matrix.list_jobs) {

@@ -27,7 +27,8 @@ fs::path peer_script() {
 Method peer_method(const std::string& name, const std::string& words, const MatrixArguments& arguments) {
   Command run{arguments.python, peer_script().string(), name, "{scans}", "{out}"};
   if (arguments.max_scans > 0) run.insert(run.end(), {"--max-scans", std::to_string(arguments.max_scans)});
-  return {name, {run}, words + " " + fingerprint(peer_script())};
+  const std::string program = words + " " + fingerprint(peer_script());
+  return {name, {run}, program};
 }
 
 }  // namespace

@@ -144,11 +144,14 @@ Job read_job(const fs::path& folder) {
   try {
     const Json json = Json::parse(as_text(bytes));
     const Json& recording = json.at("recording");
-    return {file.parent_path(),
-            {recording.at("folder").get<std::string>(), recording.at("make").get<Command>(),
-             recording.at("program").get<std::string>()},
-            json.at("commands").get<std::vector<Command>>(),
-            json.at("program").get<std::string>()};
+    Job job;
+    job.folder = file.parent_path();
+    job.recording.folder = recording.at("folder").get<std::string>();
+    job.recording.make = recording.at("make").get<Command>();
+    job.recording.program = recording.at("program").get<std::string>();
+    job.commands = json.at("commands").get<std::vector<Command>>();
+    job.program = json.at("program").get<std::string>();
+    return job;
   } catch (const Json::exception& e) {
     throw Error(file.string(), std::string("is no job: ") + e.what());
   }

@@ -58,7 +58,8 @@ MatrixSource simulated(const std::string& uri, const std::string& seed, const fs
 MatrixSource recorded(const std::string& path, const std::string& truth) {
   if (!fs::exists(path)) throw Error("--sources " + path, "is no file, no folder and no sim://SCENE");
   const fs::path absolute = fs::weakly_canonical(path);
-  return {absolute.filename().string(), "", {absolute, {}, ""}, truth_of(absolute, truth)};
+  const fs::path found = truth_of(absolute, truth);
+  return {absolute.filename().string(), "", {absolute, {}, ""}, found};
 }
 
 std::vector<std::string> names_of_sources(const MatrixArguments& arguments) {

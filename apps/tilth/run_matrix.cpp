@@ -96,7 +96,8 @@ Method pipeline_method(const std::string& text, const MatrixArguments& arguments
   run.insert(run.end(), {"--threads", std::to_string(arguments.threads), "--report-points", kReportPoints});
   if (arguments.max_scans > 0) run.insert(run.end(), {"--max-scans", std::to_string(arguments.max_scans)});
   for (const auto& [key, value] : choice.values) run.insert(run.end(), {"--set", key + "=" + value});
-  return {text, {run}, own_name()};
+  const std::string& program = own_name();
+  return {text, {run}, program};
 }
 
 std::vector<MatrixRun> plan_runs(const MatrixArguments& arguments, const std::vector<Method>& methods) {

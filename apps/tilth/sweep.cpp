@@ -125,12 +125,16 @@ Plan plan_of(const SweepArguments& arguments, const std::vector<Parameter>& para
 
 Sweep judged(const SweepArguments& arguments, const std::vector<Parameter>& parameters, const Plan& plan,
              const std::vector<MatrixRun>& runs) {
-  Sweep sweep{TILTH_VERSION, arguments.pipeline, {}, judging_of(arguments.matrix), {}};
+  Sweep sweep;
+  sweep.version = TILTH_VERSION;
+  sweep.pipeline = arguments.pipeline;
+  sweep.judging = judging_of(arguments.matrix);
   for (const Parameter& parameter : parameters) sweep.parameters.push_back(parameter.key);
   const std::vector<RunOutcome> outcomes = judge_runs(arguments.matrix, runs);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const std::size_t method = i % plan.methods.size();  // runs of a recording stand side by side
-    sweep.runs.push_back({plan.values[method], outcomes[i], study_figures(runs[i].job.folder)});
+    const StudyFigures figures = study_figures(runs[i].job.folder);
+    sweep.runs.push_back({plan.values[method], outcomes[i], figures});
   }
   return sweep;
 }
