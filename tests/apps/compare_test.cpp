@@ -137,7 +137,7 @@ TEST_F(Compare, NamesTheArgumentThatIsWrong) {
       {{"--sources", "sim://corridor?speed=x"}, "speed"},
       {{"--sources", (folder_ / "missing").string()}, "is no file"},
       {{"--sources", kTiny + "," + kTiny}, "twice"},
-      {{"--sources", fs::temp_directory_path().string()}, "has no truth beside it"},
+      {{"--sources", (folder_ / ".").string()}, "has no truth beside it"},
       {{"--sources", kTiny, "--pipelines", "no_such"}, "no_such"},
       {{"--sources", kTiny, "--pipelines", "tilth:no_key=1"}, "no_key"},
       {{"--sources", kTiny, "--base", "floom"}, "--base floom: is not compared"},
