@@ -31,7 +31,7 @@ TEST(FigureTable, EscapesWhatMarkdownWouldTakeForItsOwn) {
   FigureTable hostile{"<b>", {{"n", "n"}}, {{std::string("<img src=x>\nnew line")}}, {}};
   const std::string text = table_markdown(hostile);
   EXPECT_EQ(text.find("<img"), text.find("\\<img") + 1);
-  EXPECT_NE(text.find("\\>  new line |"), std::string::npos) << text;
+  EXPECT_NE(text.find("\\> new line |"), std::string::npos) << text;
 }
 
 TEST(FigureTable, QuotesCsvAndKeepsAllDigits) {
