@@ -1,13 +1,13 @@
 // The default pipeline on real recordings, held against what each of them is known to say; skipped by name where one is
 // not at hand.
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "real_recording.hpp"
 #include <tilth/io/trajectory_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/search/kdtree.hpp>
@@ -15,15 +15,6 @@
 
 namespace tilth {
 namespace {
-
-std::filesystem::path recording(const std::string& name) {
-  const char* data = std::getenv("TILTH_DATA");
-  return (data != nullptr ? std::filesystem::path(data) : std::filesystem::path(TILTH_SOURCE_DIR) / "../shared/data") /
-         name;
-}
-
-#define NEEDS(folder) \
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no recording " << folder << " (set TILTH_DATA)"
 
 /// The poses of all scans of a recording by the default pipeline. All but `lost` must be registered.
 std::vector<Pose> poses_of(const std::filesystem::path& folder, const std::set<std::size_t>& lost = {}) {
