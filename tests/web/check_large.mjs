@@ -6,8 +6,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { openBrowser, openPage } from "./browser.mjs";
 
-const kMegabytes = 22; // of points that lie without order; those of a real map pack better
-const seconds = Number(process.argv[3] ?? 30); // a shared machine without a graphics card may be slow
+const kMegabytes = 14; // measured: 10.8
+const seconds = Number(process.argv[3] ?? 20); // measured: 6 s without a graphics card, on two shared cores
 
 const folder = mkdtempSync(join(tmpdir(), "tilth-web-"));
 const browser = await openBrowser();
@@ -20,7 +20,8 @@ try {
   const opened = await page.evaluate(() => performance.now() / 1000);
   console.log(`${megabytes.toFixed(1)} MB, opened within ${opened.toFixed(1)} s`);
   assert.ok(opened < seconds, `${opened} s`);
-  assert.equal(await page.locator("#map .count").textContent(), "2,000,000 points");
+  const count = parseInt((await page.locator("#map .count").textContent()).replaceAll(",", ""), 10);
+  assert.ok(count <= 2e6 && count > 1.99e6, `${count} points`); // thinned evenly, by share
   assert.equal(await page.locator("#map label", { hasText: "loop closures" }).count(), 1);
   assert.deepEqual(page.complaints, []);
 } finally {
