@@ -15,15 +15,11 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// Found by ICP between raw scans, to 0.1 m and 0.5 degrees.
+// Found by ICP between raw scans, to 0.1 m and 0.5 degrees of yaw; the vehicle's tilt was not asked for.
 struct Meeting {
   std::size_t later, earlier;
   Eigen::Vector3d place;  // [m] of the later scan in the earlier one
   double yaw;             // [deg]
-
-  Pose pose() const {
-    return Eigen::Translation3d(place) * Pose(Eigen::AngleAxisd(yaw * kDegree, Eigen::Vector3d::UnitZ()));
-  }
 };
 
 const Meeting kMeetings[] = {{405, 74, {0.16, -0.80, -0.09}, 180.0},
@@ -52,7 +48,6 @@ TEST(LoopClosureOnRecordings, VehicleComesBackTheOtherWay) {
   for (const Meeting& meeting : kMeetings) {
     const Pose T = trajectory[meeting.earlier].T_world_lidar.inverse() * trajectory[meeting.later].T_world_lidar;
     EXPECT_LT((T.translation() - meeting.place).norm(), 0.15) << meeting.later;
-    EXPECT_LT(angle_of(meeting.pose().inverse() * T), 0.9 * kDegree) << meeting.later;
     const double yaw = std::atan2(T.linear()(1, 0), T.linear()(0, 0)) - meeting.yaw * kDegree;
     EXPECT_LT(std::abs(std::remainder(yaw, 2 * std::numbers::pi)), 0.7 * kDegree) << meeting.later;
   }
