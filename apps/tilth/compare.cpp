@@ -1,6 +1,7 @@
 // tilth compare: pipelines, and programs of others, on the same scans; the tables of the paper over several seeds.
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "compare_peers.hpp"
@@ -12,8 +13,6 @@
 
 namespace tilth::app {
 namespace {
-
-constexpr int kInterruptedExit = 130;
 
 /// All that there are.
 std::string every_pipeline() {
@@ -55,15 +54,7 @@ int compare(const CompareArguments& arguments) {
   comparison.skipped = peers.skipped;
   comparison.remarks = peers.used;
   const std::vector<MatrixRun> runs = plan_runs(arguments.matrix, methods);
-  if (arguments.matrix.list_jobs) {
-    std::fputs(job_lines(runs).c_str(), stdout);
-    return 0;
-  }
-  Console console(arguments.matrix.quiet);
-  if (!perform_runs(arguments.matrix, runs, console)) {
-    console.error("interrupted; the same command goes on where it was");
-    return kInterruptedExit;
-  }
+  if (const std::optional<int> exit_code = carry_out(arguments.matrix, runs)) return *exit_code;
   comparison.runs = judge_runs(arguments.matrix, runs);
   write_comparison(arguments.matrix.out, comparison);
   std::fputs(table_text(summary_table(comparison)).c_str(), stdout);

@@ -14,6 +14,9 @@ int interrupted();
 /// `options` with Ctrl-C as the end of a live source.
 SourceOptions stopped_by_signals(SourceOptions options);
 
+/// Of what goes on where it was when it is called again, whichever signal ended it.
+constexpr int kInterruptedExit = 130;
+
 /// As a shell says that this signal ended a program: 128 and its number.
 int signal_exit_code();
 

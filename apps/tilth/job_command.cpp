@@ -8,8 +8,6 @@
 namespace tilth::app {
 namespace {
 
-constexpr int kInterruptedExit = 130;
-
 struct JobArguments {
   std::vector<std::string> folders;
 };

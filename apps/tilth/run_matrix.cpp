@@ -53,6 +53,27 @@ std::vector<Job> jobs_of(const std::vector<MatrixRun>& runs) {
   return jobs;
 }
 
+/// Does what is not done yet on the engine asked for. Returns false where it was interrupted.
+bool perform_runs(const MatrixArguments& arguments, const std::vector<MatrixRun>& runs, Console& console) {
+  const std::vector<Job> jobs = jobs_of(runs);
+  if (arguments.engine == "dask") {
+    perform_on_dask(jobs, {arguments.python, arguments.scheduler, fs::path(arguments.out) / "jobs.json"});
+    if (!arguments.keep_recordings) remove_finished_recordings(jobs);
+  } else {
+    perform_all(jobs, {arguments.at_once, arguments.keep_recordings}, console);
+  }
+  return interrupted() == 0;
+}
+
+/// The lines of --list-jobs.
+std::string job_lines(const std::vector<MatrixRun>& runs) {
+  std::string text;
+  for (const MatrixRun& run : runs) {
+    if (!end_of(run.job).done) text += job_line(run.job) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 void add_matrix_arguments(CLI::App& command, MatrixArguments& a) {
@@ -112,23 +133,15 @@ std::vector<MatrixRun> plan_runs(const MatrixArguments& arguments, const std::ve
   return runs;
 }
 
-bool perform_runs(const MatrixArguments& arguments, const std::vector<MatrixRun>& runs, Console& console) {
-  const std::vector<Job> jobs = jobs_of(runs);
-  if (arguments.engine == "dask") {
-    perform_on_dask(jobs, {arguments.python, arguments.scheduler, fs::path(arguments.out) / "jobs.json"});
-    if (!arguments.keep_recordings) remove_finished_recordings(jobs);
-  } else {
-    perform_all(jobs, {arguments.at_once, arguments.keep_recordings}, console);
+std::optional<int> carry_out(const MatrixArguments& arguments, const std::vector<MatrixRun>& runs) {
+  if (arguments.list_jobs) {
+    std::fputs(job_lines(runs).c_str(), stdout);
+    return 0;
   }
-  return interrupted() == 0;
-}
-
-std::string job_lines(const std::vector<MatrixRun>& runs) {
-  std::string text;
-  for (const MatrixRun& run : runs) {
-    if (!end_of(run.job).done) text += job_line(run.job) + "\n";
-  }
-  return text;
+  Console console(arguments.quiet);
+  if (perform_runs(arguments, runs, console)) return std::nullopt;
+  console.error("interrupted; the same command goes on where it was");
+  return kInterruptedExit;
 }
 
 JudgingOptions judging_of(const MatrixArguments& arguments) {

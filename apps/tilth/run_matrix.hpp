@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,11 +64,9 @@ struct MatrixRun {
 /// All runs, those of one recording side by side; job.json is written for each.
 std::vector<MatrixRun> plan_runs(const MatrixArguments& arguments, const std::vector<Method>& methods);
 
-/// Does what is not done yet on the engine asked for. Returns false where it was interrupted.
-bool perform_runs(const MatrixArguments& arguments, const std::vector<MatrixRun>& runs, Console& console);
-
-/// The lines of --list-jobs.
-std::string job_lines(const std::vector<MatrixRun>& runs);
+/// Does what is not done yet on the engine asked for, or prints its commands by --list-jobs. The exit code where that
+/// is all: there is nothing to be judged, or it was interrupted.
+std::optional<int> carry_out(const MatrixArguments& arguments, const std::vector<MatrixRun>& runs);
 
 /// How the runs are judged. Throws Error naming the option that is wrong.
 JudgingOptions judging_of(const MatrixArguments& arguments);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "commands.hpp"
 #include "number_list.hpp"
@@ -15,7 +16,6 @@
 namespace tilth::app {
 namespace {
 
-constexpr int kInterruptedExit = 130;
 constexpr const char* kFiltered = "improved_floam";  // the pipeline whose filter `tilth score-filter` judges
 constexpr std::size_t kMostSettings = 10000;
 
@@ -143,15 +143,7 @@ int sweep_parameters(const SweepArguments& arguments) {
   const std::vector<Parameter> parameters = parameters_of(arguments);
   const Plan plan = plan_of(arguments, parameters);
   const std::vector<MatrixRun> runs = plan_runs(arguments.matrix, plan.methods);
-  if (arguments.matrix.list_jobs) {
-    std::fputs(job_lines(runs).c_str(), stdout);
-    return 0;
-  }
-  Console console(arguments.matrix.quiet);
-  if (!perform_runs(arguments.matrix, runs, console)) {
-    console.error("interrupted; the same command goes on where it was");
-    return kInterruptedExit;
-  }
+  if (const std::optional<int> exit_code = carry_out(arguments.matrix, runs)) return *exit_code;
   const Sweep sweep = judged(arguments, parameters, plan, runs);
   write_sweep(arguments.matrix.out, sweep);
   std::fputs(table_text(sweep_table(sweep)).c_str(), stdout);

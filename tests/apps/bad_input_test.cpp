@@ -21,7 +21,7 @@ class BadInput : public testing::Test {
   }
   std::size_t poses() const {
     const std::string text = text_of(folder_ / "out" / "trajectory.tum");
-    return std::size_t(std::count(text.begin(), text.end(), '\n'));
+    return lines_in(text);
   }
   void replace(int index, const std::string& text) const { std::ofstream(scans_ / scan_name(index)) << text; }
 

@@ -44,7 +44,7 @@ class Live : public testing::Test {
 
   std::size_t poses_in(const std::string& out) const {
     const std::string text = text_of(folder_ / out / "trajectory.tum");
-    return std::size_t(std::count(text.begin(), text.end(), '\n'));
+    return lines_in(text);
   }
 
   static void rest() { std::this_thread::sleep_for(std::chrono::milliseconds(5)); }
@@ -91,7 +91,7 @@ TEST_F(Live, SigtermEndsItWithEveryFileWritten) {
   EXPECT_EQ(read_kitti_poses(folder_ / "out/trajectory_kitti.txt").size(), poses_in("out"));
   EXPECT_GT(read_pcd(folder_ / "out/map.pcd").count, 1000U);
   const std::string table = text_of(folder_ / "out/scans.csv");
-  EXPECT_EQ(std::size_t(std::count(table.begin(), table.end(), '\n')), poses_in("out") + 1);
+  EXPECT_EQ(lines_in(table), poses_in("out") + 1);
   const Outcome again = tilth({"live", "udp://" + address(), "--out", in("out")});
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_NE(again.err.find("--resume"), std::string::npos) << again.err;
@@ -124,7 +124,7 @@ TEST_F(Live, IsKilledAndGoesOn) {
   EXPECT_TRUE(all[before.size()].T_world_lidar.isApprox(before.back().T_world_lidar, 1e-9));
   EXPECT_GE(read_pcd(folder_ / "out/map.pcd").count, points);
   const std::string table = text_of(folder_ / "out/scans.csv");
-  EXPECT_NEAR(double(std::count(table.begin(), table.end(), '\n')), double(all.size() + 1), 1.0);
+  EXPECT_NEAR(double(lines_in(table)), double(all.size() + 1), 1.0);
 }
 
 TEST_F(Live, BadArgumentsAreRefused) {

@@ -18,10 +18,6 @@
 namespace tilth::app {
 namespace {
 
-std::size_t lines_in(const std::string& text) {
-  return std::size_t(std::count(text.begin(), text.end(), '\n'));
-}
-
 // A keyframe a scan or two and no way to go between passes: the room's scans are held against one another.
 std::vector<std::string> run_in_room(const TemporaryFolder& folder) {
   return {"run",

@@ -1,6 +1,7 @@
 // The program itself, run as its users run it: arguments in; exit code, standard output and standard error out.
 #pragma once
 
+#include <algorithm>
 #include <csignal>
 #include <fcntl.h>
 #include <fstream>
@@ -21,6 +22,10 @@ struct Outcome {
 inline std::string text_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline std::size_t lines_in(const std::string& text) {
+  return std::size_t(std::count(text.begin(), text.end(), '\n'));
 }
 
 class Program {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "real_recording.hpp"
+#include "support/real_recording.hpp"
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/slam/slam.hpp>
 #include <tilth/sources/open_source.hpp>

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "real_recording.hpp"
+#include "support/real_recording.hpp"
 #include <tilth/io/trajectory_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/search/kdtree.hpp>

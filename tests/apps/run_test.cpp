@@ -11,10 +11,6 @@
 namespace tilth::app {
 namespace {
 
-std::size_t lines_in(const std::string& text) {
-  return std::size_t(std::count(text.begin(), text.end(), '\n'));
-}
-
 class Run : public testing::Test {
  protected:
   Outcome run(const std::string& out, std::vector<std::string> more = {}) const {

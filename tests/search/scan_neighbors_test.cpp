@@ -1,4 +1,3 @@
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 
 #include "search/generated_scans.hpp"
 #include "search/neighbor_checks.hpp"
+#include "support/real_recording.hpp"
 #include <tilth/search/neighbor_moments.hpp>
 #include <tilth/search/scan_neighbors.hpp>
 
@@ -159,11 +159,9 @@ PointCloud read_scan(const std::filesystem::path& path) {
 }
 
 TEST(ScanNeighbors, are_exact_on_real_scans) {
-  const char* const data = std::getenv("TILTH_DATA");
-  const std::filesystem::path root = data != nullptr ? data : TILTH_SOURCE_DIR "/../shared/data";
   for (const char* const name : {"vlp16-outdoor-loop", "vlp16-corridor", "rs16-static-room"}) {
-    const std::filesystem::path folder = root / name / "scans";
-    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no recordings in " << folder;
+    const std::filesystem::path folder = recording(name) / "scans";
+    NEEDS(folder);
     int n = 0;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       if (n++ % 19 != 0) continue;

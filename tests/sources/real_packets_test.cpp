@@ -1,25 +1,19 @@
 // Packets of real sensors; skipped by name where they are not at hand.
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 #include <gtest/gtest.h>
 
+#include "support/real_recording.hpp"
 #include <tilth/io/pcd.hpp>
 #include <tilth/sources/open_source.hpp>
 
 namespace tilth {
 namespace {
 
-std::string recording(const std::string& name) {
-  const char* data = std::getenv("TILTH_DATA");
-  const std::filesystem::path folder =
-      data != nullptr ? std::filesystem::path(data) : std::filesystem::path(TILTH_SOURCE_DIR) / "../shared/data";
-  return (folder / "packets-small" / name).string();
+std::string packets(const std::string& name) {
+  return recording("packets-small/" + name).string();
 }
-
-#define NEEDS(file) \
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no recording " << file << " (set TILTH_DATA)"
 
 struct Expected {
   const char *file, *sensor;
@@ -70,7 +64,7 @@ TEST(RealPackets, TurnsOfVelodynesAreDecoded) {
   };
   for (const Expected& expected : all) {
     SCOPED_TRACE(expected.file);
-    const std::string file = recording(expected.file);
+    const std::string file = packets(expected.file);
     NEEDS(file);
     const auto source = open_source(file, {});
     EXPECT_TRUE(says(source->decisions(), expected.sensor));
@@ -81,13 +75,13 @@ TEST(RealPackets, TurnsOfVelodynesAreDecoded) {
 }
 
 TEST(RealPackets, TheHourComesFromTheGpsSentence) {
-  const std::string file = recording("mrpt_vlp16_gps_4frames.pcap");
+  const std::string file = packets("mrpt_vlp16_gps_4frames.pcap");
   NEEDS(file);
   EXPECT_TRUE(says(open_source(file, {})->decisions(), "the date from its device packets"));
 }
 
 TEST(RealPackets, ASensorAtRestSeesTheSameInEveryTurn) {
-  const std::string file = recording("lidarview_vlp16_50frames_20hz_static.pcap");
+  const std::string file = packets("lidarview_vlp16_50frames_20hz_static.pcap");
   NEEDS(file);
   const auto source = open_source(file, {});
   std::vector<double> medians;  // of ring 8, a beam 1 degree above the horizon
@@ -129,7 +123,7 @@ Match match(const PointCloud& ours, const std::array<double, 6>& v) {
 /// a packet all have the azimuth of the pair, because its maker takes the step between the two echoes (none) for the
 /// step between firings; ours are turned on by up to 0.4 degrees there, as the others are.
 TEST(RealPackets, ADualReturnBagGivesTheCloudThatAnotherDecoderMade) {
-  const std::string bag = recording("nebula_vlp16_4scans.db3"), pcd = recording("nebula_vlp16_1673400472138016708.pcd");
+  const std::string bag = packets("nebula_vlp16_4scans.db3"), pcd = packets("nebula_vlp16_1673400472138016708.pcd");
   NEEDS(bag);
   NEEDS(pcd);
   const auto source = open_source(bag, {});
@@ -159,7 +153,7 @@ TEST(RealPackets, ADualReturnBagGivesTheCloudThatAnotherDecoderMade) {
 }
 
 TEST(RealPackets, PacketsOfOtherSensorsAreRefusedByName) {
-  const std::string file = recording("ouster_OS-1-64_1024x10_fw20.pcap");
+  const std::string file = packets("ouster_OS-1-64_1024x10_fw20.pcap");
   NEEDS(file);
   try {
     open_source(file, {});

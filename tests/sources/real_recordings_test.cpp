@@ -1,11 +1,11 @@
 // Real recordings of several sensors; skipped by name where they are not at hand.
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "support/real_recording.hpp"
 #include <tilth/io/pcd.hpp>
 #include <tilth/sensor/scan_decoder.hpp>
 #include <tilth/sources/open_source.hpp>
@@ -13,15 +13,6 @@
 
 namespace tilth {
 namespace {
-
-std::filesystem::path recording(const std::string& name) {
-  const char* data = std::getenv("TILTH_DATA");
-  return (data != nullptr ? std::filesystem::path(data) : std::filesystem::path(TILTH_SOURCE_DIR) / "../shared/data") /
-         name;
-}
-
-#define NEEDS(folder) \
-  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no recording " << folder << " (set TILTH_DATA)"
 
 bool says(const std::vector<std::string>& decisions, const std::string& text) {
   for (const std::string& sentence : decisions) {

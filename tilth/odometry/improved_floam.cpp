@@ -49,10 +49,10 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   begin_stage("crop");
   const PointCloud cloud = crop_range(scan.cloud, options_.min_range, options_.max_range);
   begin_stage("outliers");
-  const std::vector<std::uint8_t> keep = keep_inliers(cloud, neighbors_, options_.outliers);
+  arrange(cloud, rings_);
+  const std::vector<std::uint8_t> keep = keep_inliers(cloud, rings_, neighbors_, options_.outliers);
   result.filtered = select_kept(cloud, keep);
   begin_stage("features");
-  arrange(cloud, rings_);
   const SurfacePatches patches = surface_patches(cloud, rings_, keep, options_.patches);
   const Features features = extract_features(patches, options_.features);
 

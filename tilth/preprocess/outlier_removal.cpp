@@ -69,13 +69,14 @@ std::vector<std::uint8_t> keep_by_distance(const PointCloud& cloud, const Neighb
   return keep_below(means, densities(neighbors, scale), options);
 }
 
-// `table() -> NeighborTable` is asked for where the method needs it.
-template <class Table>
-std::vector<std::uint8_t> keep_by_method(const PointCloud& cloud, const Table& table, const OutlierOptions& options) {
+// `support() -> optional<keep>` and `table() -> NeighborTable` are asked for where the method needs them.
+template <class Support, class Table>
+std::vector<std::uint8_t> keep_by_method(const PointCloud& cloud, const Support& support, const Table& table,
+                                         const OutlierOptions& options) {
   const std::vector<std::uint8_t> all(cloud.size(), 1);
   if (options.method == OutlierMethod::none) return all;
   if (options.method == OutlierMethod::support) {
-    if (auto keep = ring_support(cloud, options.support)) return std::move(*keep);
+    if (auto keep = support()) return std::move(*keep);
   }
   const NeighborTable& neighbors = table();
   return neighbors.size() == 0 ? all : keep_by_distance(cloud, neighbors, options);
@@ -86,13 +87,15 @@ std::vector<std::uint8_t> keep_by_method(const PointCloud& cloud, const Table& t
 std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors,
                                        const OutlierOptions& options) {
   return keep_by_method(
-      cloud, [&]() -> const NeighborTable& { return neighbors; }, options);
+      cloud, [&] { return ring_support(cloud, options.support); }, [&]() -> const NeighborTable& { return neighbors; },
+      options);
 }
 
-std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, ScanNeighbors& neighbors,
+std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const RingLayout& rings, ScanNeighbors& neighbors,
                                        const OutlierOptions& options) {
   return keep_by_method(
-      cloud, [&]() -> const NeighborTable& { return neighbors.compute(cloud, std::size_t(options.k)); }, options);
+      cloud, [&] { return ring_support(rings, cloud.size(), options.support); },
+      [&]() -> const NeighborTable& { return neighbors.compute(cloud, std::size_t(options.k)); }, options);
 }
 
 }  // namespace tilth

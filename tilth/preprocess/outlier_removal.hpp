@@ -59,8 +59,8 @@ void visit(OutlierOptions& o, V&& v) {
 std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors,
                                        const OutlierOptions& options);
 
-/// The same, with neighbours looked for only where the method needs them.
-std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, ScanNeighbors& neighbors,
+/// The same of a cloud laid out as `rings`, with neighbours looked for only where the method needs them.
+std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const RingLayout& rings, ScanNeighbors& neighbors,
                                        const OutlierOptions& options);
 
 }  // namespace tilth

@@ -64,14 +64,18 @@ StepOutcome step_align(const AlignOptions& options, AlignState& state, AlignResu
   return still || change <= options.fitness_epsilon * error ? StepOutcome::stands_still : StepOutcome::moved;
 }
 
+Vector6d arc_scale(const LinearSystem& system) {
+  const double range = std::sqrt(system.squared_range / std::max<double>(1.0, double(system.matches)));
+  Vector6d scale = Vector6d::Ones();
+  scale.head<3>().setConstant(range > 0 ? 1 / range : 1.0);
+  return scale;
+}
+
 void diagnose(const LinearSystem& system, double degeneracy_ratio, AlignResult& result) {
   result.matches = system.matches;
   result.error = system.error;
   result.information = system.H;
-  // Rotations in units of the arc they move a typical point by, so that all six directions compare in metres.
-  const double range = std::sqrt(system.squared_range / std::max<double>(1.0, double(system.matches)));
-  Vector6d scale = Vector6d::Ones();
-  scale.head<3>().setConstant(range > 0 ? 1 / range : 1.0);
+  const Vector6d scale = arc_scale(system);
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * system.H * scale.asDiagonal());
   const double strongest = eigen.eigenvalues()[5];
   const double weakest = std::max(degeneracy_ratio * strongest, 1e-9);

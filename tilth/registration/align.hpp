@@ -96,6 +96,10 @@ enum class StepOutcome { moved, stands_still, failed };
 /// One step of result.T_target_source on state.system; failed where there are too few pairs or no solution.
 StepOutcome step_align(const AlignOptions& options, AlignState& state, AlignResult& result);
 
+/// What rotations [rad] and translations [m] are divided by to compare: rotations then count in units of the arc by
+/// which they move a typical point of the pairs.
+Vector6d arc_scale(const LinearSystem& system);
+
 /// Fills information, covariance and degenerate directions from the last system.
 void diagnose(const LinearSystem& system, double degeneracy_ratio, AlignResult& result);
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -52,13 +51,10 @@ void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& opti
 }
 
 // What the pairs would determine if all were right, as they may not be yet: keep * x is the part of a motion x
-// of the pose that they are trusted with. Rotations count in units of the arc by which they move a typical point.
-Matrix6d trusted_part(const PatchPairs& pairs, MotionState state, const AlignMovingOptions& options) {
-  state.kernel_width = std::numeric_limits<double>::infinity();
-  const LinearSystem system = linearize(pairs, state).pose;
-  const double range = std::sqrt(system.squared_range / std::max<double>(1.0, double(system.matches)));
-  Vector6d scale = Vector6d::Ones();
-  scale.head<3>().setConstant(range > 0 ? 1 / range : 1.0);
+// of the pose that they are trusted with.
+Matrix6d trusted_part(const PatchPairs& pairs, const Pose& T_map_lidar, const AlignMovingOptions& options) {
+  const LinearSystem system = unweighted(pairs, T_map_lidar);
+  const Vector6d scale = arc_scale(system);
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * system.H * scale.asDiagonal());
   const Vector6d shares = eigen.eigenvalues() / eigen.eigenvalues()[5];
   const Vector6d kept = shares.unaryExpr([&](double share) { return trust(share, options.degeneracy_ratio); });
@@ -109,7 +105,8 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   diagnose(system.pose, options.degeneracy_ratio, result.pose);
   if (pairs.size() < std::size_t(options.min_matches)) return false;
   const bool narrow = state.kernel_width <= options.kernel_width;  // before, pairs are yet to be found
-  if (prior.known && narrow) steady_weak_directions(prior, options, trusted_part(pairs, state, options), state, system);
+  if (prior.known && narrow)
+    steady_weak_directions(prior, options, trusted_part(pairs, state.T_map_lidar, options), state, system);
   if (prior.known) add_pose_prior(prior, options, state, system);
   add_velocity_prior(prior, options, state, system);
   const Eigen::LDLT<Matrix12d> factor(system.H);

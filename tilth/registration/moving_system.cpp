@@ -25,18 +25,28 @@ struct MovingSums {
   }
 };
 
+/// The upper triangle of the matrix with these entries.
+template <class Entry>
+Triangle upper(const Entry& entry) {
+  Triangle h;
+  for (int i = 0, k = 0; i < 6; ++i) {
+    for (int j = i; j < 6; ++j) h[k++] = entry(i, j);
+  }
+  h.tail<3>().setZero();
+  return h;
+}
+
+Vector6d jacobian_of(const FlatPair& pair) {
+  Vector6d J;
+  J << pair.point.cross(pair.normal), pair.normal;
+  return J;
+}
+
 void add(const FlatPair& pair, const RobustKernel& kernel, MovingSums& sums) {
   const double squared = pair.residual * pair.residual * pair.information;
   const double weight = kernel.weight(squared), w = weight * pair.information;
-  Vector6d J;
-  J << pair.point.cross(pair.normal), pair.normal;
-  const Vector6d wJ = w * J;
-  Triangle h;
-  for (int i = 0, k = 0; i < 6; ++i) {
-    for (int j = i; j < 6; ++j) h[k++] = wJ[i] * J[j];
-  }
-  h.tail<3>().setZero();
-  sums.add(h, pair.residual * wJ, pair.lever);
+  const Vector6d J = jacobian_of(pair), wJ = w * J;
+  sums.add(upper([&](int i, int j) { return wJ[i] * J[j]; }), pair.residual * wJ, pair.lever);
   sums.error += 0.5 * weight * squared;
   sums.squared_range += pair.point.squaredNorm();
 }
@@ -48,12 +58,7 @@ void add(const ShapePair& pair, const Pose& T, const RobustKernel& kernel, Movin
   const Eigen::Matrix<double, 3, 6> J = point_jacobian(T, pair.point);
   const Eigen::Matrix<double, 6, 3> Jt = weight * J.transpose() * information;
   const Matrix6d H = Jt * J;
-  Triangle h;
-  for (int i = 0, k = 0; i < 6; ++i) {
-    for (int j = i; j < 6; ++j) h[k++] = H(i, j);
-  }
-  h.tail<3>().setZero();
-  sums.add(h, Jt * pair.offset_in_map, pair.lever);
+  sums.add(upper(H), Jt * pair.offset_in_map, pair.lever);
   sums.error += 0.5 * weight * squared;
   sums.squared_range += pair.point.squaredNorm();
 }
@@ -78,6 +83,24 @@ MovingSystem linearize(const PatchPairs& pairs, const MotionState& state) {
   const Matrix6d H1 = whole(sums.H1);
   system.H << system.pose.H, H1, H1, whole(sums.H2);
   system.b << sums.b, sums.b1;
+  return system;
+}
+
+LinearSystem unweighted(const PatchPairs& pairs, const Pose& T_map_lidar) {
+  Triangle H = Triangle::Zero();
+  LinearSystem system;
+  for (const FlatPair& pair : pairs.flat) {
+    const Vector6d J = jacobian_of(pair), wJ = pair.information * J;
+    H += upper([&](int i, int j) { return wJ[i] * J[j]; });
+    system.squared_range += pair.point.squaredNorm();
+  }
+  for (const ShapePair& pair : pairs.shapes) {
+    const Eigen::Matrix<double, 3, 6> J = point_jacobian(T_map_lidar, pair.point);
+    H += upper(Matrix6d(J.transpose() * pair.joint_in_map.inverse() * J));
+    system.squared_range += pair.point.squaredNorm();
+  }
+  system.H = whole(H);
+  system.matches = pairs.size();
   return system;
 }
 

@@ -19,4 +19,7 @@ struct MovingSystem {
 /// Of `pairs` at `state`, weighted by its Geman-McClure kernel.
 MovingSystem linearize(const PatchPairs& pairs, const MotionState& state);
 
+/// H of the pose by `pairs` as if all were right, without a kernel, and their squared range; b and error are left 0.
+LinearSystem unweighted(const PatchPairs& pairs, const Pose& T_map_lidar);
+
 }  // namespace tilth
