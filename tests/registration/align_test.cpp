@@ -88,6 +88,27 @@ TEST(Align, CountsTheDirectionsThatWallsLeaveOpen) {
   EXPECT_TRUE((result.covariance.diagonal().array() > 0).all());
 }
 
+TEST(Align, NormalEquationsAreThoseOfTheJacobians) {
+  const Eigen::Matrix3d W = whitening_of(Eigen::Vector3d(0.1, 0.4, 0.2).asDiagonal());
+  const auto pairs = pairs_of(40, 0.1, [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, std::size_t) {
+    return DistributionToDistribution{p, q, W};
+  });
+  const RobustKernel kernel{Kernel::geman_mcclure, 2};
+  LinearSystem system;
+  accumulate(system, std::span(pairs.data(), pairs.size()), kTruth, kernel);
+  Matrix6d H = Matrix6d::Zero();
+  Vector6d b = Vector6d::Zero();
+  for (const auto& pair : pairs) {
+    const auto J = jacobian(pair, kTruth);
+    const Eigen::Vector3d e = pair.residual(kTruth);
+    H += kernel.weight(e.squaredNorm()) * J.transpose() * J;
+    b += kernel.weight(e.squaredNorm()) * J.transpose() * e;
+  }
+  EXPECT_LT((system.H - H).norm(), 1e-12 * H.norm());
+  EXPECT_LT((system.b - b).norm(), 1e-12 * b.norm());
+  EXPECT_GT(b.norm(), 0);
+}
+
 struct Gaussian {
   Eigen::Vector3d mean;
   Eigen::Matrix3d covariance;
@@ -96,8 +117,8 @@ struct Gaussian {
 };
 
 TEST(Association, PreCheckRefusesFarAndMissingTargets) {
-  SurfacePatches source(3, {.covariance = Eigen::Matrix3d::Identity()});
-  for (int i = 0; i < 3; ++i) source[std::size_t(i)].mean.x() = i;
+  MatchedPatches source{SurfacePatches(3, {.covariance = Eigen::Matrix3d::Identity()})};
+  for (int i = 0; i < 3; ++i) source.patches[std::size_t(i)].mean.x() = i;
   const Gaussian target{Eigen::Vector3d(1.2, 0, 0), Eigen::Matrix3d::Identity()};
   const auto lookup = [&](const Eigen::Vector3d& p, const Eigen::Vector3d&, bool) {
     return p.x() > 1.5 ? nullptr : &target;
@@ -108,8 +129,27 @@ TEST(Association, PreCheckRefusesFarAndMissingTargets) {
   EXPECT_EQ(associate_points(source, Pose::Identity(), lookup, {.max_distance = 0.5}).size(), 1u);
 }
 
+TEST(Association, LooksUpAnewOnlyWhatHasMoved) {
+  MatchedPatches source{{{.mean = Eigen::Vector3d::Zero()}, {.mean = 10 * Eigen::Vector3d::UnitX()}}};
+  const Gaussian target{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()};
+  int asked = 0;
+  const auto lookup = [&](const Eigen::Vector3d&, const Eigen::Vector3d&, bool) {
+    ++asked;
+    return &target;
+  };
+  const auto asked_at = [&](const Pose& T) {
+    asked = 0;
+    associate_points(source, T, lookup, {.max_distance = 20, .renew_distance = 0.02});
+    return asked;
+  };
+  EXPECT_EQ(asked_at(Pose::Identity()), 2);
+  EXPECT_EQ(asked_at(Pose(Eigen::Translation3d(0.01, 0, 0))), 0);
+  const Pose T_turned(Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitZ()));
+  EXPECT_EQ(asked_at(T_turned), 1) << "the far one moves by 0.1 m, the near one does not";
+}
+
 TEST(Association, InformationIsRebuiltWithTheRotation) {
-  const SurfacePatches source{{.covariance = Eigen::Vector3d(4, 1, 1).asDiagonal()}};
+  MatchedPatches source{{{.covariance = Eigen::Vector3d(4, 1, 1).asDiagonal()}}};
   const Gaussian target{Eigen::Vector3d::Zero(), Eigen::Vector3d(1, 2, 3).asDiagonal()};
   const auto lookup = [&](const Eigen::Vector3d&, const Eigen::Vector3d&, bool) { return &target; };
   const Pose T(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));

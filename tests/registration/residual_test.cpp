@@ -12,7 +12,7 @@ namespace {
 template <Residual R>
 double jacobian_gap(const R& r, const Pose& T) {
   double worst = 0;
-  const auto J = r.jacobian(T).eval();
+  const auto J = jacobian(r, T);
   for (int i = 0; i < 6; ++i) {
     Vector6d d = Vector6d::Zero();
     d[i] = 1e-6;

@@ -42,6 +42,14 @@ SurfacePatches joined(SurfacePatches a, const SurfacePatches& b) {
   return a;
 }
 
+AlignOptions rough(const ImprovedFloamOptions& options) {
+  AlignOptions align = options.align;
+  align.kernel_width = std::max(options.first_kernel_width, align.kernel_width);
+  align.transformation_epsilon = std::max(options.first_epsilon, align.transformation_epsilon);
+  align.rotation_epsilon = std::max(options.first_epsilon, align.rotation_epsilon);
+  return align;
+}
+
 }  // namespace
 
 OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
@@ -59,12 +67,13 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   begin_stage("registration");
   const double middle = 0.5 * duration(cloud);
   result.stamp = scan.stamp + middle;
-  // The second time the scan is straightened by the motion that the first time has found.
+  // The second time the scan is straightened by the motion that the first time, which may be rough, has found.
   Pose T_world_middle = motion_.predict(result.stamp);
-  for (int round = 0; round < 2; ++round) {
+  MatchedPatches still;
+  for (const AlignOptions& align : {rough(options_), options_.align}) {
     result.velocity = options_.deskew ? motion_.velocity_to(result.stamp, T_world_middle) : Vector6d::Zero();
-    const SurfacePatches still = deskew(joined(features.edges, features.planes), result.velocity, middle);
-    result.alignment = register_features(still, T_world_middle);
+    still.patches = deskew(joined(features.edges, features.planes), result.velocity, middle);
+    result.alignment = register_features(still, T_world_middle, align);
     T_world_middle = result.alignment.T_target_source;
   }
   begin_stage("map");
@@ -77,19 +86,20 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   return result;
 }
 
-AlignResult ImprovedFloam::register_features(const SurfacePatches& features, const Pose& T_start) const {
+AlignResult ImprovedFloam::register_features(MatchedPatches& features, const Pose& T_start,
+                                             const AlignOptions& align_options) const {
   if (motion_.updates() == 0) return {.T_target_source = T_start, .converged = true};
   const auto in_map = [this](const Eigen::Vector3d& p, const Eigen::Vector3d& n, bool flat) {
     return map_.find(p, n, flat);
   };
   const auto align_by = [&](const auto& associate) {
-    return align(T_start, options_.align,
+    return align(T_start, align_options,
                  [&](const Pose& T) { return associate(features, T, in_map, options_.association); });
   };
   AlignResult result = options_.method == RegistrationMethod::gicp
-                           ? align_by([](const auto&... args) { return associate_distributions(args...); })
-                           : align_by([](const auto&... args) { return associate_points(args...); });
-  result.candidates = features.size();
+                           ? align_by([](auto&&... args) { return associate_distributions(args...); })
+                           : align_by([](auto&&... args) { return associate_points(args...); });
+  result.candidates = features.patches.size();
   return result;
 }
 

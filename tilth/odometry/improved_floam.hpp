@@ -29,6 +29,8 @@ struct ImprovedFloamOptions {
   RegistrationMethod method = RegistrationMethod::gicp;
   AssociationOptions association;
   AlignOptions align{.kernel = Kernel::geman_mcclure, .kernel_width = 4};
+  double first_kernel_width = 10.0;
+  double first_epsilon = 1e-3;
   PatchMapOptions map;
 };
 
@@ -43,6 +45,9 @@ void visit(ImprovedFloamOptions& o, V&& v) {
   v("method", o.method, "[-] gicp: distribution to distribution; icp: point to point");
   v("association", o.association, "[-] scan to map");
   v("align", o.align, "[-] iterations of the registration");
+  v("first_kernel_width", o.first_kernel_width, Bounds{1e-9, 1e9},
+    "[-] align.kernel_width, at least, of the first registration, which tells how the scan is straightened");
+  v("first_epsilon", o.first_epsilon, Bounds{0, 1}, "[m, rad] step, at least, at which that stops");
   v("map", o.map, "[-] local map of edges and planes");
 }
 
@@ -53,7 +58,7 @@ class ImprovedFloam : public Odometry {
   PointCloud local_map() const override;
 
  private:
-  AlignResult register_features(const SurfacePatches& features, const Pose& T_start) const;
+  AlignResult register_features(MatchedPatches& features, const Pose& T_start, const AlignOptions& align_options) const;
 
   ImprovedFloamOptions options_;
   ScanNeighbors neighbors_;

@@ -68,17 +68,39 @@ struct LinearSystem {
   std::size_t matches = 0;
 };
 
+/// v x each column of M.
+inline Eigen::Matrix3d cross_columns(const Eigen::Vector3d& v, const Eigen::Matrix3d& M) {
+  Eigen::Matrix3d crossed;
+  for (int column = 0; column < 3; ++column) crossed.col(column) = v.cross(M.col(column));
+  return crossed;
+}
+
+/// Adds the pairs at T. With D the derivative by the point as the source sees it, the Jacobian is D [-skew(p), I]: D^T
+/// D is all that a pair has to give, and the moments of it follow.
 template <Residual R>
 void accumulate(LinearSystem& system, std::span<const R> residuals, const Pose& T, const RobustKernel& kernel) {
+  const Eigen::Matrix3d R_target_source = T.linear();
+  Eigen::Matrix3d shift = Eigen::Matrix3d::Zero(), mixed = shift, turn = shift;
   for (const R& r : residuals) {
     const auto e = r.residual(T).eval();
-    const auto J = r.jacobian(T).eval();
-    const double w = kernel.weight(e.squaredNorm());
-    system.H.noalias() += w * (J.transpose() * J);
-    system.b.noalias() += w * (J.transpose() * e);
-    system.error += 0.5 * w * e.squaredNorm();
-    system.squared_range += r.source.squaredNorm();
+    const auto D = (r.derivative() * R_target_source).eval();
+    const double squared = e.squaredNorm(), w = kernel.weight(squared);
+    const Eigen::Vector3d& p = r.source;
+    const Eigen::Matrix3d M = w * (D.transpose() * D);
+    const Eigen::Matrix3d pM = cross_columns(p, M);
+    shift += M;
+    mixed += pM;
+    turn += cross_columns(p, pM.transpose());
+    const Eigen::Vector3d g = w * (D.transpose() * e);
+    system.b.template head<3>() += p.cross(g);
+    system.b.template tail<3>() += g;
+    system.error += 0.5 * w * squared;
+    system.squared_range += p.squaredNorm();
   }
+  system.H.template topLeftCorner<3, 3>() += turn;
+  system.H.template topRightCorner<3, 3>() += mixed;
+  system.H.template bottomLeftCorner<3, 3>() += mixed.transpose();
+  system.H.template bottomRightCorner<3, 3>() += shift;
   system.matches += residuals.size();
 }
 

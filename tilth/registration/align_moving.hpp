@@ -116,12 +116,6 @@ struct MotionState {
   double kernel_width = 1.0;             ///< [sigma] in force
 };
 
-/// What a patch was matched with, and where it then was: looked up anew once it has moved.
-struct SurfaceMatch {
-  const void* surface = nullptr;
-  Eigen::Vector3d point_in_map = Eigen::Vector3d::Constant(1e300);
-};
-
 struct PatchMatching {
   std::vector<SurfaceMatch> matches;  ///< one a patch
   PatchPairs pairs;                   ///< those near enough, and facing the same way
@@ -144,7 +138,7 @@ void associate_patches(const SurfacePatches& patches, const MotionState& state, 
     const Eigen::Vector3d point = motion.move(patch.mean, patch.time), point_in_map = state.T_map_lidar * point;
     const Eigen::Matrix3d& R_lidar_patch = motion.rotation(patch.time);
     SurfaceMatch& match = matching.matches[i];
-    if ((point_in_map - match.point_in_map).squaredNorm() > renew_squared)
+    if ((point_in_map - match.point_in_target).squaredNorm() > renew_squared)
       match = {target(point_in_map, R_map_lidar * (R_lidar_patch * patch.normal), patch.flat), point_in_map};
     const auto* surface = static_cast<Surface*>(match.surface);
     if (surface == nullptr) continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <type_traits>
 #include <vector>
 
 #include <tilth/core/options.hpp>
@@ -14,12 +15,14 @@ namespace tilth {
 struct AssociationOptions {
   double max_distance = 1.0;
   double lambda = 1e-4;
+  double renew_distance = 0.02;
 };
 
 template <class V>
 void visit(AssociationOptions& o, V&& v) {
   v("max_distance", o.max_distance, Bounds{1e-3, 100}, "[m] between a point and its match");
   v("lambda", o.lambda, Bounds{1e-12, 1}, "[m^2] added to the diagonal of every covariance");
+  v("renew_distance", o.renew_distance, Bounds{0, 10}, "[m] that a patch moves before its match is looked up anew");
 }
 
 /// A look-up of the target: the surface for a point, its normal, and whether it is flat; or nullptr. A surface's
@@ -32,26 +35,46 @@ concept SurfaceLookup = requires(const L& lookup, const Eigen::Vector3d& p) {
   { lookup(p, p, true)->variance } -> std::convertible_to<double>;
 };
 
+/// What a patch was matched with, and where it then was: looked up anew once it has moved.
+struct SurfaceMatch {
+  const void* surface = nullptr;
+  Eigen::Vector3d point_in_target = Eigen::Vector3d::Constant(1e300);
+};
+
+/// Patches, and what they were matched with in the iteration before: nothing at first.
+struct MatchedPatches {
+  SurfacePatches patches;
+  std::vector<SurfaceMatch> matches = {};  ///< one a patch, or none
+};
+
 /// Calls add(patch, surface) for each source patch whose surface, at T, is within max_distance: the pre-check that
 /// spares the weighted term of all others (Fu et al. 2026, section 2.2).
 template <SurfaceLookup Lookup, class Add>
-void for_each_match(const SurfacePatches& source, const Pose& T, const Lookup& target,
-                    const AssociationOptions& options, const Add& add) {
+void for_each_match(MatchedPatches& source, const Pose& T, const Lookup& target, const AssociationOptions& options,
+                    const Add& add) {
+  auto& [patches, matches] = source;
+  using Surface = std::remove_pointer_t<decltype(target(patches[0].mean, patches[0].normal, true))>;
   const double max_squared = options.max_distance * options.max_distance;
-  for (const SurfacePatch& patch : source) {
+  const double renew_squared = options.renew_distance * options.renew_distance;
+  matches.resize(patches.size());
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const SurfacePatch& patch = patches[i];
     const Eigen::Vector3d point = T * patch.mean;
-    const auto* surface = target(point, T.linear() * patch.normal, patch.flat);
+    SurfaceMatch& match = matches[i];
+    if ((point - match.point_in_target).squaredNorm() > renew_squared)
+      match = {target(point, T.linear() * patch.normal, patch.flat), point};
+    const auto* surface = static_cast<Surface*>(match.surface);
     if (surface != nullptr && (surface->mean - point).squaredNorm() <= max_squared) add(patch, *surface);
   }
 }
 
 /// GICP pairs at T. The information matrices are made with the rotation of T (Fu et al. 2026, section 2.2).
 template <SurfaceLookup Lookup>
-std::vector<DistributionToDistribution> associate_distributions(const SurfacePatches& source, const Pose& T,
+std::vector<DistributionToDistribution> associate_distributions(MatchedPatches& source, const Pose& T,
                                                                 const Lookup& target,
                                                                 const AssociationOptions& options) {
   std::vector<DistributionToDistribution> pairs;
-  pairs.reserve(source.size());
+  pairs.reserve(source.patches.size());
   const Eigen::Matrix3d R = T.linear();
   for_each_match(source, T, target, options, [&](const SurfacePatch& patch, const auto& surface) {
     Eigen::Matrix3d joint = R * patch.covariance * R.transpose() + surface.covariance;
@@ -63,10 +86,10 @@ std::vector<DistributionToDistribution> associate_distributions(const SurfacePat
 
 /// Point-to-point pairs at T: each patch's mean and that of its surface.
 template <SurfaceLookup Lookup>
-std::vector<PointToPoint> associate_points(const SurfacePatches& source, const Pose& T, const Lookup& target,
+std::vector<PointToPoint> associate_points(MatchedPatches& source, const Pose& T, const Lookup& target,
                                            const AssociationOptions& options) {
   std::vector<PointToPoint> pairs;
-  pairs.reserve(source.size());
+  pairs.reserve(source.patches.size());
   for_each_match(source, T, target, options, [&](const SurfacePatch& patch, const auto& surface) {
     pairs.push_back({patch.mean, surface.mean});
   });

@@ -1,5 +1,5 @@
-// One matched pair each: its residual and the Jacobian of the residual with respect to a right perturbation of T
-// (rotation first), with T = T_target_source. Pure mathematics; every type answers the concept Residual.
+// One matched pair each: its residual at T = T_target_source, and the derivative of the residual with respect to the
+// point T * source. Pure mathematics; every type answers the concept Residual.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -12,7 +12,7 @@ namespace tilth {
 template <class R>
 concept Residual = requires(const R& r, const Pose& T) {
   r.residual(T).squaredNorm();
-  r.jacobian(T) * Vector6d();
+  r.derivative() * r.source;
 };
 
 /// d(T p) / d(perturbation) = [-R skew(p), R].
@@ -22,11 +22,17 @@ inline Eigen::Matrix<double, 3, 6> point_jacobian(const Pose& T, const Eigen::Ve
   return J;
 }
 
+/// Of the residual with respect to a right perturbation of T, rotation first.
+template <Residual R>
+auto jacobian(const R& r, const Pose& T) {
+  return (r.derivative() * point_jacobian(T, r.source)).eval();
+}
+
 struct PointToPoint {
   Eigen::Vector3d source, target;
 
   Eigen::Vector3d residual(const Pose& T) const { return T * source - target; }
-  Eigen::Matrix<double, 3, 6> jacobian(const Pose& T) const { return point_jacobian(T, source); }
+  Eigen::Matrix3d derivative() const { return Eigen::Matrix3d::Identity(); }
 };
 
 struct PointToPlane {
@@ -35,14 +41,14 @@ struct PointToPlane {
   Eigen::Matrix<double, 1, 1> residual(const Pose& T) const {
     return Eigen::Matrix<double, 1, 1>(normal.dot(T * source - target));
   }
-  Eigen::Matrix<double, 1, 6> jacobian(const Pose& T) const { return normal.transpose() * point_jacobian(T, source); }
+  Eigen::RowVector3d derivative() const { return normal.transpose(); }
 };
 
 struct PointToLine {
   Eigen::Vector3d source, target, direction;
 
   Eigen::Vector3d residual(const Pose& T) const { return direction.cross(T * source - target); }
-  Eigen::Matrix<double, 3, 6> jacobian(const Pose& T) const { return skew(direction) * point_jacobian(T, source); }
+  Eigen::Matrix3d derivative() const { return skew(direction); }
 };
 
 /// GICP: the difference of two Gaussians' means, whitened by their joint covariance (Fu et al. 2026, section 2.2):
@@ -52,7 +58,7 @@ struct DistributionToDistribution {
   Eigen::Matrix3d whitening;  ///< W with W^T W = (R Sigma_p R^T + Sigma_q)^-1; lower triangular
 
   Eigen::Vector3d residual(const Pose& T) const { return whitening * (T * source - target); }
-  Eigen::Matrix<double, 3, 6> jacobian(const Pose& T) const { return whitening * point_jacobian(T, source); }
+  const Eigen::Matrix3d& derivative() const { return whitening; }
 };
 
 /// W with W^T W = covariance^-1: the inverse of the Cholesky factor. `covariance` must be positive definite.

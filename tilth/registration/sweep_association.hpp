@@ -69,7 +69,7 @@ struct DuringSweep {
   Eigen::Vector3d source = pair.source;
 
   auto residual(const Pose& T) const { return pair.residual(T); }
-  auto jacobian(const Pose& T) const { return (share * pair.jacobian(T)).eval(); }
+  auto derivative() const { return (share * pair.derivative()).eval(); }
 };
 
 /// The pairs at T_start_end, the LiDAR at the end of the sweep seen from its start: `operator()` once an iteration.
