@@ -31,6 +31,13 @@ def long_packet(k):
     return blocks(k * 432, 36, 3000) + bytes([26, 3, 4, 5, 6, 7]) + struct.pack("<IBB", 500000 + 1200 * k, 0x37, 0x10)
 
 
+def hesai_packet(k, mode=0x37):
+    head = bytes.fromhex("eeff06010000100800040101")
+    body = b"".join(struct.pack("<H", (4500 * (8 * k + b)) % 36000) + b"".join(struct.pack("<HBB", 500 + i, i, 0) for i in range(16))
+                    for b in range(8))
+    return head + body + bytes(10) + struct.pack("<BH6BIBI", mode, 600, 124, 1, 1, 0, 0, 0, 400 * k, 0x42, k)
+
+
 def device_packet():
     packet = bytearray(1206)
     packet[:8] = bytes.fromhex("a5ff005a11115555")
@@ -51,7 +58,7 @@ def position_packet():
 
 
 def stream(payloads):
-    kinds = {1206: 0, 1212: 1, 512: 2}
+    kinds = {1206: 0, 1212: 1, 512: 2, 568: 3}
     return b"".join(struct.pack("<BI", kinds[len(p)], 100 + i) + p for i, p in enumerate(payloads))
 
 
@@ -175,7 +182,9 @@ def main():
     hdl32 = [short_packet(k, 16.6, 46.08, 0x21) for k in range(2)]
     c16 = [short_packet(k, 36, 100, 0x10) for k in range(2)]
     for name, payloads in {"vlp16": vlp16 + [position_packet()], "fast": fast, "dual": dual, "hdl32": hdl32,
-                           "c16_v3": [device_packet()] + c16, "c16_v4": [long_packet(k) for k in range(3)]}.items():
+                           "c16_v3": [device_packet()] + c16, "c16_v4": [long_packet(k) for k in range(3)],
+                           "xt16": [hesai_packet(k) for k in range(4)],
+                           "xt16_dual": [hesai_packet(k, 0x39) for k in range(4)]}.items():
         write("packets", name, stream(payloads))
     frames = [frame(vlp16[0]), frame(position_packet(), b"\x81\x00\x00\x05"), frame(b"other")]
     write("pcap", "ethernet.pcap", capture(frames))
@@ -200,6 +209,7 @@ def main():
     write("packet_message", "velodyne_ros1", b"\x01" + scan_message(vlp16[:2], False))
     write("packet_message", "velodyne_cdr", b"\x03" + scan_message(vlp16[:2], True))
     write("packet_message", "lslidar", b"\x00" + struct.pack("<II", 17, 5) + long_packet(0))
+    write("packet_message", "pandar", b"\x04" + struct.pack("<II", 17, 5) + hesai_packet(0) + bytes(932) + struct.pack("<I", 568))
     write("rosbag2", "bag.db3", database([cloud_cdr(10), cloud_cdr(12)]))
     write("mcap", "plain.mcap", mcap([cloud_cdr(10), b"12345"], False))
     write("mcap", "chunked.mcap", mcap([cloud_cdr(10), b"12345"], True))

@@ -48,7 +48,7 @@ inline void check(const Scan& scan, std::size_t beams) {
 
 /// Every packet is stored as a byte of its kind, four of its arrival [ms], and its payload.
 inline void packets(Bytes bytes) {
-  constexpr std::array<std::size_t, 3> kSizes{1206, 1212, 512};
+  constexpr std::array<std::size_t, 4> kSizes{1206, 1212, 512, 568};
   std::vector<Packet> all;
   while (bytes.size() > 5) {
     const auto kind = std::to_integer<std::size_t>(bytes[0]);
@@ -116,14 +116,16 @@ inline void rosbag2(Bytes bytes) {
   }
 }
 
-/// The first byte tells type and serialisation.
+/// The first byte tells type (two bits) and serialisation.
 inline void packet_message(Bytes bytes) {
   if (bytes.empty()) return;
   const auto kind = std::to_integer<unsigned>(bytes[0]);
-  const char* type = kind & 1 ? "velodyne_msgs/VelodyneScan" : "lslidar_msgs/LslidarPacket";
+  const bool hesai = kind & 4;
+  const char* type = kind & 1 ? (hesai ? "pandar_msgs/PandarScan" : "velodyne_msgs/VelodyneScan")
+                              : (hesai ? "pandar_msgs/PandarPacket" : "lslidar_msgs/LslidarPacket");
   const Serialization serialization = kind & 2 ? Serialization::cdr : Serialization::ros1;
   for (const StampedPayload& packet : parse_packet_message(type, bytes.subspan(1), serialization))
-    require(packet.payload.size() == 1206 || packet.payload.size() == 1212);
+    require(hesai ? packet.payload.size() <= 1500 : packet.payload.size() == 1206 || packet.payload.size() == 1212);
 }
 
 inline void point_cloud2_cdr(Bytes bytes) {

@@ -102,7 +102,27 @@ TEST(PacketMessage, SinglePacketsOfLeishenHaveEitherLength) {
   }
   EXPECT_THROW(parse_packet_message("lslidar_msgs/LslidarPacket", Bytes(900), Serialization::ros1), Error);
   EXPECT_TRUE(is_packet_message("velodyne_msgs/msg/VelodyneScan"));
+  EXPECT_TRUE(is_packet_message("pandar_msgs/msg/PandarScan"));
   EXPECT_FALSE(is_packet_message("sensor_msgs/PointCloud2"));
+}
+
+TEST(PacketMessage, PacketsOfHesaiTellHowMuchOfTheirRoomIsFilled) {
+  const Bytes room(1500, std::byte(3));
+  const auto message = [&](std::uint32_t size) {
+    return joined({little(3), little(100), little(0), little(0), little(2), little(99), little(0), room, little(568),
+                   little(100), little(0), room, little(size)});
+  };
+  const Bytes good = message(1500);
+  const auto packets = parse_packet_message("pandar_msgs/PandarScan", good, Serialization::ros1);
+  ASSERT_EQ(packets.size(), 2U);
+  EXPECT_EQ(packets[0].payload.size(), 568U);
+  EXPECT_EQ(packets[1].payload.size(), 1500U);
+  EXPECT_DOUBLE_EQ(packets[1].stamp, 100.0);
+  EXPECT_THROW(parse_packet_message("pandar_msgs/PandarScan", message(1501), Serialization::ros1), Error);
+  for (std::size_t size = 0; size < good.size(); size += 7) {
+    const std::span<const std::byte> cut(good.data(), size);
+    EXPECT_THROW(parse_packet_message("pandar_msgs/PandarScan", cut, Serialization::ros1), Error) << size;
+  }
 }
 
 }  // namespace

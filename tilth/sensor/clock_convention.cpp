@@ -28,11 +28,11 @@ ClockConvention decide_clock(std::span<const DataPacket> first, const PacketForm
   clock.traits.wrap = kHour;
   if (format.tail == PacketTail::velodyne) return clock;
   if (format.tail == PacketTail::leishen_1206) {
-    const auto beyond = [](const DataPacket& p) { return p.size() == 1206 && p.microseconds() > kSecond; };
+    const auto beyond = [](const DataPacket& p) { return !p.dated() && p.microseconds() > kSecond; };
     if (std::none_of(first.begin(), first.end(), beyond)) clock.traits.wrap = 1.0;
     return clock;
   }
-  const auto beyond = [](const DataPacket& p) { return p.size() == 1212 && p.fraction() >= kSecond; };
+  const auto beyond = [](const DataPacket& p) { return p.dated() && p.fraction() >= kSecond; };
   if (std::any_of(first.begin(), first.end(), beyond)) clock.fraction_unit = 1e-9;
   clock.traits.absolute = whole_seconds(first.front().whole_time()) > kEarliestClock;
   clock.traits.wrap = clock.traits.absolute ? 0.0 : 1.0;
@@ -40,7 +40,7 @@ ClockConvention decide_clock(std::span<const DataPacket> first, const PacketForm
 }
 
 ClockReading read_clock(const DataPacket& packet, const std::optional<double>& arrival, const ClockConvention& clock) {
-  if (packet.size() == 1206) return {packet.microseconds() * 1e-6, arrival};
+  if (!packet.dated()) return {packet.microseconds() * 1e-6, arrival};
   const double whole = clock.traits.absolute ? whole_seconds(packet.whole_time()) : 0.0;
   return {whole + packet.fraction() * clock.fraction_unit, arrival};
 }

@@ -12,7 +12,7 @@ namespace tilth {
 constexpr double kEarliestClock = 1420070400.0;  ///< [s] the year 2015: a clock before that was never set
 
 struct ClockConvention {
-  double fraction_unit = 1e-6;  ///< [s] of the fraction in packets of 1212 bytes
+  double fraction_unit = 1e-6;  ///< [s] of the fraction in dated packets
   ClockTraits traits;
 };
 

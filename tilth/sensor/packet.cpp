@@ -6,16 +6,23 @@
 namespace tilth {
 namespace {
 
-constexpr std::size_t kShort = 1206, kLong = 1212, kPosition = 512, kBlockSize = 100, kHeader = 4, kSlotSize = 3;
-constexpr std::uint16_t kTurn = 36000;  // [0.01 deg]
+constexpr std::size_t kShort = 1206, kLong = 1212, kHesai = 568, kPosition = 512;
+constexpr std::uint16_t kTurn = 36000;     // [0.01 deg]
+constexpr std::uint8_t kHesaiYears = 100;  // from 1900, where Hesai counts from, to 2000
 constexpr std::array<std::uint8_t, 8> kDeviceMagic{0xA5, 0xFF, 0x00, 0x5A, 0x11, 0x11, 0x55, 0x55};
 
 std::uint8_t at(std::span<const std::byte> bytes, std::size_t i) {
   return std::to_integer<std::uint8_t>(bytes[i]);
 }
 
-bool has_flag(std::span<const std::byte> payload, std::size_t block) {
-  return at(payload, block * kBlockSize) == 0xFF && at(payload, block * kBlockSize + 1) == 0xEE;
+bool has_flag(std::span<const std::byte> payload, std::size_t begin) {
+  return at(payload, begin) == 0xFF && at(payload, begin + 1) == 0xEE;
+}
+
+/// A PandarXT-16's: start, protocol 6.1, 16 lasers, 8 blocks, units of 4 mm.
+bool is_hesai(std::span<const std::byte> p) {
+  const bool begins = at(p, 0) == 0xEE && at(p, 1) == 0xFF && at(p, 2) == 6 && at(p, 3) == 1;
+  return begins && at(p, 6) == 16 && at(p, 7) == 8 && at(p, 9) == 4;
 }
 
 bool is_device(std::span<const std::byte> payload) {
@@ -30,14 +37,21 @@ std::span<const std::byte> without_padding(std::span<const std::byte> payload) {
   return padded ? payload.first(kShort) : payload;
 }
 
+const PacketLayout& layout_of_size(std::size_t size) {
+  if (size == kHesai) return layout_of(PacketTail::hesai_568);
+  return layout_of(size == kLong ? PacketTail::leishen_1212 : PacketTail::velodyne);
+}
+
 }  // namespace
 
 PacketKind kind_of(std::span<const std::byte> payload) {
   if (payload.size() == kPosition) return PacketKind::position;
+  if (payload.size() == kHesai) return is_hesai(payload) ? PacketKind::data : PacketKind::other;
   if (payload.size() != kShort && payload.size() != kLong) return PacketKind::other;
   if (is_device(payload)) return PacketKind::device;
-  for (std::size_t block = 0; block < kBlocks; ++block) {
-    if (has_flag(payload, block)) return PacketKind::data;
+  const PacketLayout& layout = layout_of(PacketTail::velodyne);
+  for (std::size_t block = 0; block < layout.blocks; ++block) {
+    if (has_flag(payload, block * layout.block_size())) return PacketKind::data;
   }
   return PacketKind::other;
 }
@@ -50,39 +64,47 @@ std::uint16_t factory_port(PacketKind kind) {
   }
 }
 
-DataPacket::DataPacket(std::span<const std::byte> payload) : payload_(without_padding(payload)) {
+DataPacket::DataPacket(std::span<const std::byte> payload)
+    : payload_(without_padding(payload)), layout_(layout_of_size(payload_.size())) {
   assert(kind_of(payload) == PacketKind::data);
 }
 
+bool DataPacket::dual() const {
+  if (size() != kHesai) return return_mode() == 0x39;
+  return return_mode() == 0x39 || return_mode() == 0x3B || return_mode() == 0x3C;
+}
+
 bool DataPacket::valid(std::size_t block) const {
-  return has_flag(payload_, block) && azimuth(block) < kTurn;
+  return (size() == kHesai || has_flag(payload_, begin_of(block))) && azimuth(block) < kTurn;
 }
 
 std::uint16_t DataPacket::azimuth(std::size_t block) const {
-  return std::uint16_t(byte(block * kBlockSize + 2) | byte(block * kBlockSize + 3) << 8);
+  const std::size_t at = begin_of(block) + layout_.block_header - 2;
+  return std::uint16_t(byte(at) | byte(at + 1) << 8);
 }
 
 std::uint16_t DataPacket::distance(std::size_t block, std::size_t slot) const {
-  const std::size_t at = block * kBlockSize + kHeader + slot * kSlotSize;
+  const std::size_t at = begin_of(block) + layout_.block_header + slot * layout_.slot_size;
   return std::uint16_t(byte(at) | byte(at + 1) << 8);
 }
 
 std::uint8_t DataPacket::intensity(std::size_t block, std::size_t slot) const {
-  return byte(block * kBlockSize + kHeader + slot * kSlotSize + 2);
+  return byte(begin_of(block) + layout_.block_header + slot * layout_.slot_size + 2);
 }
 
 std::uint32_t DataPacket::microseconds() const {
-  return u32(kBlocks * kBlockSize);
+  return u32(layout_.time);
 }
 
 std::array<std::uint8_t, 6> DataPacket::whole_time() const {
   std::array<std::uint8_t, 6> bytes{};
-  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = byte(kBlocks * kBlockSize + i);
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = byte(layout_.time + i);
+  if (size() == kHesai) bytes[0] = std::uint8_t(std::max(bytes[0], kHesaiYears) - kHesaiYears);
   return bytes;
 }
 
 std::uint32_t DataPacket::fraction() const {
-  return u32(kBlocks * kBlockSize + 6);
+  return u32(layout_.time + 6);
 }
 
 std::uint32_t DataPacket::u32(std::size_t at) const {

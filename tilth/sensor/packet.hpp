@@ -17,7 +17,7 @@ struct Packet {
 };
 
 enum class PacketKind : std::uint8_t {
-  data,      ///< firings: 1206 or 1212 bytes
+  data,      ///< firings: 1206, 1212 or (Hesai PandarXT-16) 568 bytes
   device,    ///< Leishen's DIFOP: 1206 bytes
   position,  ///< Velodyne's position packet: 512 bytes
   other,
@@ -27,8 +27,7 @@ PacketKind kind_of(std::span<const std::byte> payload);
 /// Where sensors send packets of that kind as they come from their makers; of kind other, as data.
 std::uint16_t factory_port(PacketKind kind);
 
-constexpr std::size_t kBlocks = 12, kSlots = 32;
-constexpr std::uint8_t kDualReturn = 0x39;
+constexpr std::size_t kMostSlots = 32;  ///< of a block, whatever the sensor
 
 /// A data packet taken apart. It only looks at the payload, which must outlive it.
 class DataPacket {
@@ -36,24 +35,29 @@ class DataPacket {
   explicit DataPacket(std::span<const std::byte> payload);  ///< of kind data
 
   std::size_t size() const { return payload_.size(); }  ///< [bytes]; 1212 bytes that hold 1206 and zeros are 1206
-  std::uint8_t model() const { return byte(size() - 1); }
-  std::uint8_t return_mode() const { return byte(size() - 2); }
-  bool dual() const { return return_mode() == kDualReturn; }
+  std::size_t blocks() const { return layout_.blocks; }
+  std::size_t slots() const { return layout_.slots; }
+  std::uint8_t model() const { return byte(layout_.model); }
+  std::uint8_t return_mode() const { return byte(layout_.mode); }
+  bool dual() const;  ///< two blocks hold the echoes of the same shots
 
-  bool valid(std::size_t block) const;             ///< it begins with FF EE and its azimuth is below a turn
-  std::uint16_t azimuth(std::size_t block) const;  ///< [0.01 deg]
+  bool valid(std::size_t block) const;  ///< its azimuth is below a turn, and it begins with FF EE where such ones do
+  std::uint16_t azimuth(std::size_t block) const;                     ///< [0.01 deg]
   std::uint16_t distance(std::size_t block, std::size_t slot) const;  ///< [units], 0: no return
   std::uint8_t intensity(std::size_t block, std::size_t slot) const;
 
-  std::uint32_t microseconds() const;              ///< of 1206 bytes
-  std::array<std::uint8_t, 6> whole_time() const;  ///< of 1212 bytes: date or seconds
-  std::uint32_t fraction() const;                  ///< of 1212 bytes: [us] or [ns]
+  bool dated() const { return size() != 1206; }
+  std::uint32_t microseconds() const;              ///< of those without a date: since the hour or the start
+  std::array<std::uint8_t, 6> whole_time() const;  ///< of dated ones: the date from its year since 2000, or seconds
+  std::uint32_t fraction() const;                  ///< of dated ones: [us] or [ns]
 
  private:
+  std::size_t begin_of(std::size_t block) const { return layout_.header + block * layout_.block_size(); }
   std::uint8_t byte(std::size_t at) const { return std::to_integer<std::uint8_t>(payload_[at]); }
   std::uint32_t u32(std::size_t at) const;
 
   std::span<const std::byte> payload_;
+  PacketLayout layout_;
 };
 
 }  // namespace tilth

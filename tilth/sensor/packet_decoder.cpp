@@ -25,7 +25,7 @@ PacketClock clock_of(std::span<const Packet> first, const PacketConvention& conv
   for (const Packet& packet : first) {
     if (kind_of(packet.payload) != PacketKind::data) continue;
     const DataPacket data(packet.payload);
-    if (data.size() == convention.format.payload_size())
+    if (data.size() == convention.format.layout().size)
       readings.push_back(read_clock(data, packet.arrival, convention.clock));
   }
   return {readings, convention.clock.traits};
@@ -54,7 +54,7 @@ PacketDecoder::PacketDecoder(std::span<const Packet> first, const PacketOptions&
     cosines_.push_back(std::cos(elevation));
     sines_.push_back(std::sin(elevation));
   }
-  for (std::size_t slot = 0; slot < kSlots; ++slot) slot_times_[slot] = format().slot_time(slot);
+  for (std::size_t slot = 0; slot < format().layout().slots; ++slot) slot_times_[slot] = format().slot_time(slot);
 }
 
 std::optional<Scan> PacketDecoder::decode(const Packet& packet) {
@@ -64,14 +64,14 @@ std::optional<Scan> PacketDecoder::decode(const Packet& packet) {
   counts_.other += kind == PacketKind::other ? 1 : 0;
   if (kind != PacketKind::data) return std::nullopt;
   const DataPacket data(packet.payload);
-  if (data.size() != format().payload_size()) {
+  if (data.size() != format().layout().size) {
     ++counts_.other;
     return std::nullopt;
   }
   ++counts_.data;
   const std::optional<double> time = clock_.time(read_clock(data, packet.arrival, convention_.clock));
   counts_.clock_jumps = clock_.jumps();
-  const double before = format().stamped_last() ? format().last_shot(data.dual()) : 0.0;
+  const double before = format().stamp_offset(data.dual());
   if (!time || (head_ && *time - before <= head_->time)) {
     ++counts_.late;
     return std::nullopt;
@@ -90,11 +90,11 @@ std::optional<Scan> PacketDecoder::decode_data(const DataPacket& packet, double 
   const std::size_t echoes = packet.dual() ? 2 : 1;
   std::optional<Scan> closed;
   double turned = 0.0, steps = 0.0;  // by the columns so far: the last one has no next
-  for (std::size_t block = 0; block < kBlocks; block += echoes) {
+  for (std::size_t block = 0; block < packet.blocks(); block += echoes) {
     if (!packet.valid(block)) continue;
     const double azimuth = packet.azimuth(block), time = first_shot + double(block / echoes) * format().block_period();
     const std::size_t next = block + echoes;
-    const bool followed = next < kBlocks && packet.valid(next);
+    const bool followed = next < packet.blocks() && packet.valid(next);
     if (followed) turned += step(azimuth, packet.azimuth(next)), steps += 1.0;
     if (steps > 0.0) mean_step_ = turned / steps;
     const double turn = followed ? step(azimuth, packet.azimuth(next)) : mean_step_;
@@ -125,7 +125,7 @@ std::optional<Scan> PacketDecoder::turn_to(double azimuth, double time) {
 }
 
 void PacketDecoder::add_column(const DataPacket& packet, const Column& column) {
-  for (std::size_t slot = 0; slot < kSlots; ++slot) {
+  for (std::size_t slot = 0; slot < packet.slots(); ++slot) {
     const std::uint16_t first = packet.distance(column.block, slot);
     const float first_intensity = packet.intensity(column.block, slot);
     const bool two = column.echoes == 2 && packet.valid(column.block + 1);

@@ -28,7 +28,8 @@ struct PacketOptions {
 
 template <class V>
 void visit(PacketOptions& o, V&& v) {
-  v("sensor", o.sensor, "[-] vlp16, puck_hires, hdl32, leishen_c16 (or one of its generations); empty: recognised");
+  v("sensor", o.sensor,
+    "[-] vlp16, puck_hires, hdl32, leishen_c16 (or one of its generations), hesai_xt16; empty: recognised");
   v("echoes", o.echoes, "[-] of a sensor that reports two a shot; both: where they differ");
 }
 
@@ -72,9 +73,9 @@ class PacketDecoder {
   PacketClock clock_;
   std::vector<std::string> decisions_;
   PacketCounts counts_;
-  std::vector<double> cosines_, sines_;  // of the channels' elevations
-  std::array<double, 32> slot_times_{};  // [s]
-  std::optional<double> last_packet_;    // [s] first shot
+  std::vector<double> cosines_, sines_;          // of the channels' elevations
+  std::array<double, kMostSlots> slot_times_{};  // [s]
+  std::optional<double> last_packet_;            // [s] first shot
   bool last_dual_ = false;
   double mean_step_ = 0.0;  // [0.01 deg] from column to column
   Scan open_;

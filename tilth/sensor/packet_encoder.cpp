@@ -14,7 +14,6 @@ namespace {
 constexpr double kSpacing = 1e-3;  ///< relative, of firings: 1.3 us over a packet
 constexpr double kOffTime = 0.1;   ///< [firings] a point's time may lie off its firing
 constexpr double kTurn = 36000.0;  ///< [0.01 deg]
-constexpr std::size_t kBlockSize = 100, kBlockHeader = 4, kSlotSize = 3, kTail = 1200;
 
 struct Shot {
   std::uint16_t distance = 0;  // [units]
@@ -57,11 +56,12 @@ std::vector<Shot> shots_of(const Scan& scan, const LidarModel& lidar, const Pack
 }
 
 void put_block(std::vector<std::byte>& payload, std::size_t block, double azimuth, std::span<const Shot> shots) {
-  const std::size_t at = block * kBlockSize;
+  const PacketLayout& layout = layout_of(PacketTail::velodyne);
+  const std::size_t at = block * layout.block_size();
   payload[at] = std::byte(0xFF), payload[at + 1] = std::byte(0xEE);
   put_little(payload, at + 2, std::uint32_t(std::fmod(std::round(azimuth), kTurn)), 2);
   for (std::size_t slot = 0; slot < shots.size(); ++slot) {
-    const std::size_t shot = at + kBlockHeader + slot * kSlotSize;
+    const std::size_t shot = at + layout.block_header + slot * layout.slot_size;
     put_little(payload, shot, shots[slot].distance, 2);
     payload[shot + 2] = std::byte(shots[slot].intensity);
   }
@@ -69,12 +69,12 @@ void put_block(std::vector<std::byte>& payload, std::size_t block, double azimut
 
 void put_tail(EncodedPacket& packet, const PacketFormat& format, double first_shot) {
   constexpr std::uint8_t kStrongest = 0x37;
-  const double last_shot = first_shot + format.last_shot(false);
-  const double stamp = std::fmod(format.stamped_last() ? last_shot : first_shot, 3600.0);
-  put_little(packet.payload, kTail, std::uint32_t(std::llround(stamp * 1e6) % 3'600'000'000), 4);
-  packet.payload[kTail + 4] = std::byte(kStrongest);
-  packet.payload[kTail + 5] = std::byte(format.models.front());
-  packet.sent = last_shot;
+  const double stamp = std::fmod(first_shot + format.stamp_offset(false), 3600.0);
+  const PacketLayout& layout = format.layout();
+  put_little(packet.payload, layout.time, std::uint32_t(std::llround(stamp * 1e6) % 3'600'000'000), 4);
+  packet.payload[layout.mode] = std::byte(kStrongest);
+  packet.payload[layout.model] = std::byte(format.models.front());
+  packet.sent = first_shot + format.last_shot(false);
 }
 
 }  // namespace
@@ -92,18 +92,19 @@ PacketFormat packet_format_of(const LidarModel& lidar) {
 
 std::vector<EncodedPacket> encode_scan(const Scan& scan, const LidarModel& lidar, const PacketFormat& format) {
   std::vector<Shot> shots = shots_of(scan, lidar, format);
-  const std::size_t firings = kSlots / format.channels();
+  const std::size_t slots = format.layout().slots, blocks_a_packet = format.layout().blocks;
+  const std::size_t firings = slots / format.channels();
   const std::size_t blocks = (lidar.columns + firings - 1) / firings;
-  shots.resize(blocks * kSlots);
+  shots.resize(blocks * slots);
   std::vector<EncodedPacket> packets;
   for (std::size_t block = 0; block < blocks; ++block) {
     const double time = lidar.time_of(block * firings, format.rings.front());
-    if (block % kBlocks == 0) {
-      packets.push_back({0.0, std::vector<std::byte>(format.payload_size())});
+    if (block % blocks_a_packet == 0) {
+      packets.push_back({0.0, std::vector<std::byte>(format.layout().size)});
       put_tail(packets.back(), format, scan.stamp + time);
     }
-    put_block(packets.back().payload, block % kBlocks, time / lidar.period * kTurn,
-              std::span(shots).subspan(block * kSlots, kSlots));
+    put_block(packets.back().payload, block % blocks_a_packet, time / lidar.period * kTurn,
+              std::span(shots).subspan(block * slots, slots));
   }
   return packets;
 }

@@ -20,6 +20,10 @@ const Degrees kC16V4{-16, 0, -14, 2, -12, 4, -10, 6, -8, 8, -6, 10, -4, 12, -2, 
 const Degrees kC16Domestic{-16, -8, 0, 8, -14, -6, 2, 10, -12, -4, 4, 12, -10, -2, 6, 14};
 const Degrees kC16V5{-16, 0, -8, 8, -14, 2, -6, 10, -12, 4, -4, 12, -10, 6, -2, 14};
 
+const Degrees kPandarXt16{15, 13, 11, 9, 7, 5, 3, 1, -1, -3, -5, -7, -9, -11, -13, -15};
+
+constexpr double kHesaiLead = 6.0;  ///< [us] from the time of the packet to the first shot of its last firing
+
 Degrees hdl32_degrees() {
   Degrees degrees;
   for (int i = 0; i < 16; ++i) degrees.insert(degrees.end(), {(-92.0 + 4 * i) / 3, (-28.0 + 4 * i) / 3});
@@ -70,10 +74,25 @@ std::vector<PacketFormat> all_rows() {
       row({"leishen_c16_v4_domestic", "Leishen C16 v4.0 (domestic)", dated, {0x12}, 3.125, 50, 0.004, 0.0361, 20.25},
           kC16Domestic),
       row({"leishen_c16_v5", "Leishen C16 v5.0", dated, {0x65}, 3.125, 50, 0.004, 0.035, 21.80}, kC16V5),
+      row({"hesai_xt16", "Hesai PandarXT-16", PacketTail::hesai_568, {0x10}, 3.024, 50, 0.004, 0, 0}, kPandarXt16),
   };
 }
 
 }  // namespace
+
+const PacketLayout& layout_of(PacketTail tail) {
+  static constexpr PacketLayout kShort{1206, 0, 12, 32, 4, 3, 1204, 1205, 1200};
+  static constexpr PacketLayout kDated{1212, 0, 12, 32, 4, 3, 1210, 1211, 1200};
+  static constexpr PacketLayout kHesai{568, 12, 8, 16, 2, 4, 550, 6, 553};
+  if (tail == PacketTail::hesai_568) return kHesai;
+  return tail == PacketTail::leishen_1212 ? kDated : kShort;
+}
+
+double PacketFormat::stamp_offset(bool dual) const {
+  if (tail == PacketTail::velodyne) return 0.0;
+  if (tail == PacketTail::hesai_568) return packet_period(dual) - block_period() - kHesaiLead * kMicrosecond;
+  return last_shot(dual);
+}
 
 std::span<const PacketFormat> packet_formats() {
   static const std::vector<PacketFormat> rows = all_rows();

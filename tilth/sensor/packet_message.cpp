@@ -8,8 +8,11 @@
 namespace tilth {
 namespace {
 
-constexpr std::array<std::string_view, 2> kScans{"VelodyneScan", "LslidarC16ScanUnified"};
-constexpr std::array<std::string_view, 3> kSingles{"VelodynePacket", "LslidarPacket", "LslidarC16Packet"};
+constexpr std::array<std::string_view, 3> kScans{"VelodyneScan", "LslidarC16ScanUnified", "PandarScan"};
+constexpr std::array<std::string_view, 4> kSingles{"VelodynePacket", "LslidarPacket", "LslidarC16Packet",
+                                                   "PandarPacket"};
+constexpr std::array<std::string_view, 2> kSized{"PandarScan", "PandarPacket"};  ///< packets tell how much is filled
+constexpr std::size_t kRoom = 1500;                                              ///< [bytes] of such a packet
 constexpr std::array<std::size_t, 2> kSizes{1206, 1212};
 constexpr std::size_t kStamp = 8;
 
@@ -30,6 +33,19 @@ std::size_t packet_size(const RosMessageReader& reader, std::size_t count) {
                              " bytes are neither of 1206 nor of 1212 bytes");
 }
 
+StampedPayload sized_packet(RosMessageReader& reader) {
+  const double stamp = reader.time("packets.stamp");
+  const std::span<const std::byte> room = reader.bytes(kRoom, "packets.data");
+  const auto size = reader.number<std::uint32_t>("packets.size");
+  if (size > kRoom) throw Error("packets.size", std::to_string(size) + " is more than " + std::to_string(kRoom));
+  return {stamp, room.first(size)};
+}
+
+StampedPayload packet_of(RosMessageReader& reader, std::size_t size) {
+  const double stamp = reader.time("packets.stamp");
+  return {stamp, reader.bytes(size, "packets.data")};
+}
+
 }  // namespace
 
 bool is_packet_message(std::string_view type) {
@@ -45,12 +61,10 @@ std::vector<StampedPayload> parse_packet_message(std::string_view type, std::spa
     count = reader.number<std::uint32_t>("packets");
   }
   if (count == 0) return {};
-  const std::size_t size = packet_size(reader, count);
+  const bool sized = among(kSized, type);
+  const std::size_t size = sized ? 0 : packet_size(reader, count);
   std::vector<StampedPayload> packets;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double stamp = reader.time("packets.stamp");
-    packets.push_back({stamp, reader.bytes(size, "packets.data")});
-  }
+  for (std::size_t i = 0; i < count; ++i) packets.push_back(sized ? sized_packet(reader) : packet_of(reader, size));
   return packets;
 }
 

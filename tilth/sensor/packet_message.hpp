@@ -1,4 +1,5 @@
-// Packets in ROS messages: velodyne_msgs/VelodyneScan, the scans and single packets of Leishen's drivers.
+// Packets in ROS messages: velodyne_msgs/VelodyneScan, pandar_msgs/PandarScan, the scans and single packets of
+// Leishen's drivers.
 #pragma once
 
 #include <span>

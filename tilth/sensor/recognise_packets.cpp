@@ -64,7 +64,7 @@ Rows possible_rows(const FirstPackets& first, std::string_view sensor) {
   }
   const std::string where = sensor.empty() ? "packets" : "sensor " + std::string(sensor);
   if (rows.empty()) throw Error(where, "is not known for packets; there are " + names);
-  std::erase_if(rows, [&](const PacketFormat* row) { return row->payload_size() != packet.size(); });
+  std::erase_if(rows, [&](const PacketFormat* row) { return row->layout().size != packet.size(); });
   const std::string size = std::to_string(packet.size()) + " bytes";
   if (rows.empty()) throw Error(where, "has no packets of " + size + " as they are here");
   const Rows told = [&] {
@@ -86,7 +86,7 @@ Rows possible_rows(const FirstPackets& first, std::string_view sensor) {
 double clock_step(std::span<const DataPacket> data) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < data.size(); ++i) {
-    const bool short_ones = data[i].size() == data[i - 1].size() && data[i].size() == 1206;
+    const bool short_ones = !data[i].dated() && !data[i - 1].dated();
     if (short_ones && data[i].microseconds() > data[i - 1].microseconds())
       steps.push_back((data[i].microseconds() - data[i - 1].microseconds()) * 1e-6);
   }
@@ -137,6 +137,11 @@ std::size_t correct(PacketFormat& format, const DeviceInfo& device) {
   return corrected;
 }
 
+std::string stamped_shot(const PacketFormat& format) {
+  if (format.tail == PacketTail::hesai_568) return "last firing";
+  return format.tail == PacketTail::velodyne ? "first shot" : "last shot";
+}
+
 std::string angle_sentence(PacketFormat& format, const std::optional<DeviceInfo>& device) {
   const std::string rings = "ring: of the channel, 0 the lowest of " + std::to_string(format.channels());
   const bool calibrated = device && format.tail == PacketTail::leishen_1206 && tells_angles(*device);
@@ -149,7 +154,8 @@ std::string angle_sentence(PacketFormat& format, const std::optional<DeviceInfo>
 
 PacketConvention recognise_packets(std::span<const Packet> packets, std::string_view sensor) {
   const FirstPackets first = sorted(packets);
-  if (first.data.empty()) throw Error("packets", "none is a data packet of a Velodyne VLP-16, HDL-32E or Leishen C16");
+  if (first.data.empty())
+    throw Error("packets", "none is a data packet of a Velodyne VLP-16, HDL-32E, Leishen C16 or Hesai XT16");
   PacketConvention convention;
   convention.format = most_likely(possible_rows(first, sensor), first);
   const PacketFormat& format = convention.format;
@@ -157,13 +163,12 @@ PacketConvention recognise_packets(std::span<const Packet> packets, std::string_
   char step[64];
   std::snprintf(step, sizeof step, "%.1f us", format.packet_period(convention.dual) * 1e6);
   convention.decisions.push_back("sensor: " + format.title + " (" + format.name + "), by packets of " +
-                                 std::to_string(format.payload_size()) + " bytes with model byte " +
+                                 std::to_string(format.layout().size) + " bytes with model byte " +
                                  hexadecimal(first.data.front().model()) + ", one in " + step);
   convention.decisions.push_back(convention.dual ? "returns: two a shot" : "returns: one a shot");
   convention.decisions.push_back(angle_sentence(convention.format, first.device));
-  convention.decisions.push_back(
-      std::string("time: of each shot, from the firing table; a packet's time is that of its ") +
-      (format.stamped_last() ? "last shot" : "first shot"));
+  convention.decisions.push_back("time: of each shot, from the firing table; a packet's time is that of its " +
+                                 stamped_shot(format));
   convention.clock = decide_clock(first.data, format, first.mark);
   return convention;
 }

@@ -96,7 +96,7 @@ class PacketSource : public ScanSource {
   void choose_sender(const std::string& host) {
     for (const ReceivedPacket& p : first_) senders_[p.sender] += kind_of(p.payload) == PacketKind::data ? 1 : 0;
     if (senders_.empty()) {
-      throw Error(feed_.name, "holds no packets of a Velodyne VLP-16, HDL-32E or Leishen C16 (" +
+      throw Error(feed_.name, "holds no packets of a Velodyne VLP-16, HDL-32E, Leishen C16 or Hesai XT16 (" +
                                   counted(unknown_, "other datagram") + ")");
     }
     const auto named = std::find_if(senders_.begin(), senders_.end(),
