@@ -7,6 +7,8 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "locked_folder.hpp"
+#include "loop_closing.hpp"
 #include "option_arguments.hpp"
 #include "option_flags.hpp"
 #include "process.hpp"
@@ -14,8 +16,6 @@
 #include "run_report.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/odometry/continued_odometry.hpp>
-#include <tilth/odometry/make_odometry.hpp>
-#include <tilth/output/output_folder.hpp>
 #include <tilth/output/run_journal.hpp>
 #include <tilth/sources/live_source.hpp>
 
@@ -31,7 +31,7 @@ struct LiveArguments {
   double duration = 0.0;     // [s], 0: until it is stopped
   double checkpoint = 30.0;  // [s]
   int threads = 0;           // zero: as many as there are processors
-  bool resume = false, force = false, quiet = false;
+  bool loop_closure = false, resume = false, force = false, quiet = false;
 };
 
 /// What is to be done after every scan.
@@ -90,9 +90,8 @@ std::unique_ptr<LiveSource> open(const LiveArguments& arguments, std::function<b
   }
 }
 
-/// The pipeline, at the last pose of the run that `record` goes on with.
-std::unique_ptr<Odometry> odometry_for(const PipelineChoice& choice, const RunRecord& record) {
-  std::unique_ptr<Odometry> odometry = make_odometry(choice.name, choice.values);
+/// `odometry`, at the last pose of the run that `record` goes on with.
+std::unique_ptr<Odometry> continued(std::unique_ptr<Odometry> odometry, const RunRecord& record) {
   if (record.trajectory.empty()) return odometry;
   return std::make_unique<ContinuedOdometry>(std::move(odometry), record.trajectory.back().T_world_lidar);
 }
@@ -113,8 +112,11 @@ int live(const LiveArguments& arguments) {
   Console console(arguments.quiet);
   const PipelineChoice choice = choose_pipeline(arguments.options);
   RunRecord record = new_record(arguments.source, choice, arguments.record);
+  const SlamOptions slam = with<SlamOptions>(choice.loop);  // refused where wrong, also where not used
+  if (arguments.loop_closure) add_options(slam, record);
+  Pipeline pipeline = make_pipeline(choice, arguments.loop_closure);
+  const LockedFolder folder(arguments.out, run_files(record.output, arguments.loop_closure));
   check_folder(arguments);
-  prepare_output_folder(arguments.out, run_files(record.output, false));
   remember_interrupts();
   const Stopwatch stopwatch;
   const auto enough = [&] { return arguments.duration > 0.0 && stopwatch.seconds() > arguments.duration; };
@@ -124,7 +126,8 @@ int live(const LiveArguments& arguments) {
   const bool continues = arguments.resume && holds_run(arguments.out);
   if (continues) resume(arguments, record, console);
   RunJournal journal(arguments.out, record.output, !continues);
-  const std::unique_ptr<Odometry> odometry = odometry_for(choice, record);
+  begin_mcap(arguments.out, record);
+  const std::unique_ptr<Odometry> odometry = continued(std::move(pipeline.odometry), record);
   Keeper keeper(arguments, *source, journal, console);
   RegistrationLoop loop(*source, *odometry, record, console);
   LoopOptions options = arguments.loop;
@@ -135,6 +138,7 @@ int live(const LiveArguments& arguments) {
   record.ended = reason(end, enough());
   record.notices = source->notices();
   for (const std::string& notice : record.notices) console.note(notice);
+  if (pipeline.slam != nullptr) close_loops(*pipeline.slam, record);
   record.wall_seconds = stopwatch.seconds();
   record.peak_megabytes = peak_megabytes();
   const std::vector<std::string> failures = journal.finish(record);
@@ -151,6 +155,9 @@ void add_live(CLI::App& app, int& exit_code) {
   command->add_option("SOURCE", a->source, "udp://[ADDRESS]:PORT to listen at, as udp://:2368")->required();
   command->add_option("--out", a->out, "folder for the results; made where missing")->required();
   command->add_flag("--resume", a->resume, "go on with the run in that folder, at its last pose");
+  command
+      ->add_flag("--loop-closure", a->loop_closure, "find places seen before; the way is corrected at the end (loop.*)")
+      ->excludes("--resume");
   command->add_flag("--force", a->force, "replace the run in that folder")->excludes("--resume");
   command->add_option("--duration", a->duration, "[s] after which it ends")->check(CLI::PositiveNumber);
   command->add_option("--max-scans", a->loop.max_scans, "stop after so many scans");

@@ -1,6 +1,7 @@
 #include "loop_closing.hpp"
 
 #include "stopwatch.hpp"
+#include <tilth/odometry/make_odometry.hpp>
 
 namespace tilth::app {
 namespace {
@@ -32,6 +33,15 @@ std::vector<Pose> corrections(const Trajectory& before, const Trajectory& after)
 }
 
 }  // namespace
+
+Pipeline make_pipeline(const PipelineChoice& choice, bool loop_closure) {
+  Pipeline pipeline{make_odometry(choice.name, choice.values)};
+  if (!loop_closure) return pipeline;
+  auto around = std::make_unique<Slam>(std::move(pipeline.odometry), with<SlamOptions>(choice.loop));
+  pipeline.slam = around.get();
+  pipeline.odometry = std::move(around);
+  return pipeline;
+}
 
 void add_options(const SlamOptions& options, RunRecord& record) {
   const std::vector<OptionInfo> values = describe(options), defaults = describe(SlamOptions{});

@@ -1,10 +1,21 @@
-// What is left to do for loop closure once the last scan is registered.
+// Loop closure around a pipeline, and what is left to do once the last scan is registered.
 #pragma once
 
+#include <memory>
+
+#include "option_arguments.hpp"
 #include <tilth/output/run_record.hpp>
 #include <tilth/slam/slam.hpp>
 
 namespace tilth::app {
+
+struct Pipeline {
+  std::unique_ptr<Odometry> odometry;
+  Slam* slam = nullptr;  ///< `odometry` itself, with loop closure
+};
+
+/// The pipeline as chosen, with loop closure around it or without. Throws Error on options that are wrong.
+Pipeline make_pipeline(const PipelineChoice& choice, bool loop_closure);
 
 /// Adds the options of loop closure to those of the pipeline.
 void add_options(const SlamOptions& options, RunRecord& record);

@@ -96,6 +96,7 @@ bool RegistrationLoop::register_scan(const Scan& scan, double read_ms) {
 }
 
 void RegistrationLoop::keep(const Scan& scan, const OdometryResult& result, ScanRow row) {
+  if (record_.mcap) record_.mcap->add_scan(result.filtered, {result.stamp, result.stamp - scan.stamp, result.velocity});
   const Stopwatch mapping;
   record_.map.add(result.filtered, result.T_world_lidar, result.stamp - scan.stamp, result.velocity);
   row.map_ms = mapping.milliseconds();

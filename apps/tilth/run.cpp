@@ -4,6 +4,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "locked_folder.hpp"
 #include "loop_closing.hpp"
 #include "option_arguments.hpp"
 #include "option_flags.hpp"
@@ -13,8 +14,6 @@
 #include <tilth/core/error.hpp>
 #include <tilth/evaluation/evaluate.hpp>
 #include <tilth/io/pose_file.hpp>
-#include <tilth/odometry/make_odometry.hpp>
-#include <tilth/output/output_folder.hpp>
 #include <tilth/output/run_record.hpp>
 #include <tilth/sources/open_source.hpp>
 #include <tilth/sources/packet_source.hpp>
@@ -33,24 +32,16 @@ struct RunArguments {
   bool quiet = false;
 };
 
-/// Registers what the source has, whatever the end.
-RunEnd register_all(const RunArguments& arguments, const PipelineChoice& choice, RunRecord& record, Console& console) {
-  std::unique_ptr<Odometry> odometry = make_odometry(choice.name, choice.values);
-  Slam* slam = nullptr;  // where asked for, around the odometry
-  if (arguments.loop_closure) {
-    auto around = std::make_unique<Slam>(std::move(odometry), with<SlamOptions>(choice.loop));
-    slam = around.get();
-    odometry = std::move(around);
-  }
-  const std::unique_ptr<ScanSource> source = open_source(arguments.source, stopped_by_signals(arguments.input));
-  prepare_output_folder(arguments.out, run_files(record.output, arguments.loop_closure));
+/// Registers what `source` has, whatever the end.
+RunEnd register_all(const RunArguments& arguments, ScanSource& source, Pipeline& pipeline, RunRecord& record,
+                    Console& console) {
   remember_interrupts();
   const Stopwatch stopwatch;
-  RegistrationLoop loop(*source, *odometry, record, console);
+  RegistrationLoop loop(source, *pipeline.odometry, record, console);
   const RunEnd end = with_threads(arguments.threads, [&] { return loop.run(arguments.loop); });
-  record.notices = source->notices();
+  record.notices = source.notices();
   for (const std::string& notice : record.notices) console.note(notice);
-  if (slam != nullptr) close_loops(*slam, record);
+  if (pipeline.slam != nullptr) close_loops(*pipeline.slam, record);
   record.ended = to_text(end);
   record.wall_seconds = stopwatch.seconds();
   record.peak_megabytes = peak_megabytes();
@@ -85,7 +76,11 @@ int run(const RunArguments& arguments) {
   RunRecord record = new_record(arguments.source, choice, arguments.record);
   const SlamOptions slam = with<SlamOptions>(choice.loop);  // refused where wrong, also where not used
   if (arguments.loop_closure) add_options(slam, record);
-  const RunEnd end = register_all(arguments, choice, record, console);
+  Pipeline pipeline = make_pipeline(choice, arguments.loop_closure);
+  const std::unique_ptr<ScanSource> source = open_source(arguments.source, stopped_by_signals(arguments.input));
+  const LockedFolder folder(arguments.out, run_files(record.output, arguments.loop_closure));
+  begin_mcap(arguments.out, record);
+  const RunEnd end = register_all(arguments, *source, pipeline, record, console);
   if (record.trajectory.empty() && end != RunEnd::interrupted) {
     const std::string reason = record.skipped.empty() ? "it is empty" : record.skipped.front().what;
     throw Error(arguments.source, "has no scan that can be used; " + reason);

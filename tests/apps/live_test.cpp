@@ -127,6 +127,42 @@ TEST_F(Live, IsKilledAndGoesOn) {
   EXPECT_NEAR(double(lines_in(table)), double(all.size() + 1), 1.0);
 }
 
+TEST_F(Live, AFolderIsWrittenByOneAtATime) {
+  const auto program = live("out", {});
+  for (const char* way : {"--resume", "--force"}) {
+    const Outcome second = tilth({"live", "udp://127.0.0.1:0", "--out", in("out"), way, "--idle", "0.2"});
+    EXPECT_EQ(second.exit_code, 1);
+    EXPECT_NE(second.err.find(in("out/.lock") + ": is locked"), std::string::npos) << second.err;
+  }
+  const Outcome run = tilth({"run", "sim://corridor?duration=0.5", "--out", in("out")});
+  EXPECT_NE(run.err.find(in("out/.lock") + ": is locked"), std::string::npos) << run.err;
+  program->signal(SIGKILL);
+  program->wait();
+  EXPECT_EQ(tilth({"run", "sim://corridor?duration=0.5", "--out", in("out")}).exit_code, 0) << "free again";
+}
+
+TEST_F(Live, WithLoopClosureTheWayIsCorrectedAtTheEnd) {
+  record("vlp16", "5");
+  const auto program = live("out", {"--idle", "1", "--queue", "100", "--loop-closure", "--set",
+                                    "loop.keyframe.distance=0.1", "--set", "loop.detect.min_way=2"});
+  ASSERT_EQ(tilth(play("1")).exit_code, 0);
+  const Outcome outcome = program->wait();
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Trajectory before = read_tum(folder_ / "out/trajectory_odometry.tum");
+  const Trajectory after = read_tum(folder_ / "out/trajectory.tum");
+  ASSERT_GT(before.size(), 40U);
+  ASSERT_EQ(after.size(), before.size());
+  EXPECT_GE(lines_in(text_of(folder_ / "out/closures.csv")), 2U) << "no pair was looked at";
+  EXPECT_NE(text_of(folder_ / "out/summary.json").find("\"loop_closure\""), std::string::npos);
+  bool corrected = false;
+  for (std::size_t i = 0; i < after.size(); ++i)
+    corrected = corrected || after[i].T_world_lidar.matrix() != before[i].T_world_lidar.matrix();
+  EXPECT_TRUE(corrected) << "trajectory.tum is what was appended scan by scan";
+  const Outcome both = tilth({"live", "udp://" + address(), "--out", in("b"), "--resume", "--loop-closure"});
+  EXPECT_GT(both.exit_code, 100);
+  EXPECT_NE(both.err.find("--resume excludes --loop-closure"), std::string::npos) << both.err;
+}
+
 TEST_F(Live, BadArgumentsAreRefused) {
   const auto refused = [&](const std::vector<std::string>& arguments, const std::string& reason) {
     const Outcome outcome = tilth(arguments);

@@ -63,7 +63,8 @@ def check_run(folder):
     messages = read_mcap(out / "run.mcap")
     by_topic = {topic: [(t, m) for name, _, t, m in messages if name == topic] for topic, *_ in messages}
     assert {topic: len(found) for topic, found in by_topic.items()} == {
-        "/path": 1, "/map": 1, "/tf": len(poses), "/odometry": len(poses)}
+        "/path": 1, "/map": 1, "/tf": len(poses), "/odometry": len(poses), "/scan": len(poses)}
+    check_scans_in_world(by_topic["/scan"], poses, points)
     cloud = cloud_of(by_topic["/map"][0][1], ["x", "y", "z", "intensity"])
     assert all(numpy.array_equal(cloud[name], points[:, i]) for i, name in enumerate(cloud.dtype.names))
     path = by_topic["/path"][0][1]
@@ -83,6 +84,22 @@ def check_run(folder):
     with AnyReader([out / "run.mcap"], default_typestore=get_typestore(Stores.ROS2_HUMBLE)) as reader:
         kinds = {reader.deserialize(raw, connection.msgtype).__msgtype__ for connection, _, raw in reader.messages()}
     assert kinds == {"nav_msgs/msg/Path", "sensor_msgs/msg/PointCloud2", "tf2_msgs/msg/TFMessage", "nav_msgs/msg/Odometry"}
+
+
+def check_scans_in_world(scans, poses, map_points):
+    """Each scan, put into the world by the pose of its stamp, lies where the map is."""
+    voxels = {tuple(v) for v in numpy.floor(map_points[:, :3] / 0.1).astype(int)}
+    for (t, scan), row in zip(scans, poses, strict=True):
+        assert scan.header.frame_id == "lidar" and abs(seconds(scan.header.stamp) - row[0]) < 2e-9
+        assert [f.name for f in scan.fields] == ["x", "y", "z", "intensity", "ring"] and 4000 < scan.width <= 5000
+        cloud = cloud_of(scan, ["x", "y", "z"])
+        x, y, z, w = row[4:]
+        rotation = numpy.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                                [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                                [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
+        world = numpy.stack([cloud["x"], cloud["y"], cloud["z"]], 1) @ rotation.T + row[1:4]
+        inside = [tuple(v) in voxels for v in numpy.floor(world / 0.1).astype(int)]
+        assert numpy.mean(inside) > 0.999, numpy.mean(inside)
 
 
 def check_map_las(las, points):

@@ -105,6 +105,11 @@ TEST(PositionPacket, TellsTheTimeOfItsGpsSentence) {
   EXPECT_FALSE(parse_position_packet(packet.bytes()).utc) << "no fix";
   packet.text(206, "$GPRMC,2206");
   EXPECT_FALSE(parse_position_packet(MadePacket(512).bytes()).utc);
+  EXPECT_EQ(info.pulse, PulseState::absent);
+  packet.byte(202, 2);
+  EXPECT_EQ(parse_position_packet(packet.bytes()).pulse, PulseState::locked);
+  packet.byte(202, 4);
+  EXPECT_FALSE(parse_position_packet(packet.bytes()).pulse);
 }
 
 TEST(UtcSeconds, CountsFrom1970AndRefusesWhatIsNoDate) {

@@ -77,7 +77,12 @@ TEST(RealPackets, TurnsOfVelodynesAreDecoded) {
 TEST(RealPackets, TheHourComesFromTheGpsSentence) {
   const std::string file = packets("mrpt_vlp16_gps_4frames.pcap");
   NEEDS(file);
-  EXPECT_TRUE(says(open_source(file, {})->decisions(), "the date from its device packets"));
+  const auto source = open_source(file, {});
+  EXPECT_TRUE(says(source->decisions(), "the date from its device packets"));
+  while (source->next()) {
+  }
+  EXPECT_TRUE(
+      says(source->notices(), "position packets: 57; locked to the GPS receiver's pulse; last fix at 2016-01-21"));
 }
 
 TEST(RealPackets, ASensorAtRestSeesTheSameInEveryTurn) {

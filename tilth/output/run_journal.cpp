@@ -1,5 +1,6 @@
 #include <array>
 #include <chrono>
+#include <set>
 #include <utility>
 
 #include <tilth/core/error.hpp>
@@ -108,7 +109,9 @@ std::string RunJournal::checkpoint(const RunRecord& record) {
 
 std::vector<std::string> RunJournal::finish(const RunRecord& record) {
   if (saving_.valid()) saving_.wait();
-  std::vector<std::string> failures = write_run(folder_, record, {kPoses, kRows, kMap});
+  std::set<std::string> kept{kRows, kMap};
+  if (!record.loops) kept.insert(kPoses);  // else they are not those that were appended
+  std::vector<std::string> failures = write_run(folder_, record, kept);
   try {
     write_pcd(folder_ / kMap, record.map.records());
   } catch (const std::exception& error) {

@@ -8,7 +8,6 @@
 #include <tilth/io/ply.hpp>
 #include <tilth/io/trajectory_file.hpp>
 #include <tilth/output/html_report.hpp>
-#include <tilth/output/run_mcap.hpp>
 #include <tilth/output/run_record.hpp>
 #include <tilth/output/run_report.hpp>
 #include <tilth/output/summary_json.hpp>
@@ -20,6 +19,10 @@ struct RunFile {
   std::string name;
   std::function<void(const std::filesystem::path&, const RunRecord&)> write;
 };
+
+void write_mcap(const std::filesystem::path& path, const RunRecord& run) {
+  run.mcap ? run.mcap->finish(run) : RunMcap(path, 0).finish(run);
+}
 
 /// Every file that `options` ask for.
 std::vector<RunFile> files(const OutputOptions& options) {
@@ -39,7 +42,7 @@ std::vector<RunFile> files(const OutputOptions& options) {
   all.push_back({"report.html", [](const Path& path, const RunRecord& run) {
                    write_report(path.parent_path(), report_of(run, run.report.points));
                  }});
-  if (options.mcap) all.push_back({"run.mcap", write_run_mcap});
+  if (options.mcap) all.push_back({"run.mcap", write_mcap});
   return all;
 }
 

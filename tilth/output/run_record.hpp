@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -13,6 +14,7 @@
 #include <tilth/output/loop_record.hpp>
 #include <tilth/output/map_builder.hpp>
 #include <tilth/output/output_options.hpp>
+#include <tilth/output/run_mcap.hpp>
 #include <tilth/output/scan_table.hpp>
 
 namespace tilth {
@@ -46,6 +48,7 @@ struct RunRecord {
   ScanTable scans;
   MapBuilder map{MapOptions{}};
   OutputOptions output;
+  std::shared_ptr<RunMcap> mcap;         ///< run.mcap as far as it is written; nothing: it is written as a whole
   std::optional<LoopRecord> loops;       ///< with loop closure; then `trajectory` and `map` are the corrected ones
   std::optional<Evaluation> evaluation;  ///< where the truth is known
   double wall_seconds = 0.0;             ///< [s] of the whole run, files not counted

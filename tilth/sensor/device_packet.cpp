@@ -13,7 +13,7 @@ namespace tilth {
 namespace {
 
 constexpr double kHundredthDegree = std::numbers::pi / 18000.0;
-constexpr std::size_t kSpeed = 8, kMicroseconds = 198, kSentence = 206, kSentenceSize = 128;
+constexpr std::size_t kSpeed = 8, kMicroseconds = 198, kPulse = 202, kSentence = 206, kSentenceSize = 128;
 
 std::uint8_t byte(std::span<const std::byte> bytes, std::size_t at) {
   return std::to_integer<std::uint8_t>(bytes[at]);
@@ -85,7 +85,9 @@ PositionInfo parse_position_packet(std::span<const std::byte> payload) {
       std::uint32_t(byte(payload, kMicroseconds)) | std::uint32_t(byte(payload, kMicroseconds + 1)) << 8 |
       std::uint32_t(byte(payload, kMicroseconds + 2)) << 16 | std::uint32_t(byte(payload, kMicroseconds + 3)) << 24;
   const auto sentence = payload.subspan(kSentence, kSentenceSize);
-  return {us * 1e-6, utc_of_sentence({reinterpret_cast<const char*>(sentence.data()), sentence.size()})};
+  const std::uint8_t pulse = byte(payload, kPulse);
+  return {us * 1e-6, utc_of_sentence({reinterpret_cast<const char*>(sentence.data()), sentence.size()}),
+          pulse <= std::uint8_t(PulseState::error) ? std::optional(PulseState(pulse)) : std::nullopt};
 }
 
 }  // namespace tilth

@@ -20,9 +20,13 @@ struct DeviceInfo {
 /// `payload` must be of PacketKind::device.
 DeviceInfo parse_device_packet(std::span<const std::byte> payload);
 
+/// Whether the sensor's clock follows a GPS receiver's pulse a second.
+enum class PulseState : std::uint8_t { absent, synchronizing, locked, error };
+
 struct PositionInfo {
-  double since_hour = 0.0;    ///< [s] of the sensor's clock
-  std::optional<double> utc;  ///< [s] since 1970 of the last GPRMC sentence; nothing without a fix
+  double since_hour = 0.0;          ///< [s] of the sensor's clock
+  std::optional<double> utc;        ///< [s] since 1970 of the last GPRMC sentence; nothing without a fix
+  std::optional<PulseState> pulse;  ///< nothing where the byte has no meaning known
 };
 
 /// `payload` must be of PacketKind::position.

@@ -62,6 +62,7 @@ std::optional<Scan> PacketDecoder::decode(const Packet& packet) {
   counts_.device += kind == PacketKind::device ? 1 : 0;
   counts_.position += kind == PacketKind::position ? 1 : 0;
   counts_.other += kind == PacketKind::other ? 1 : 0;
+  if (kind == PacketKind::position) position_ = parse_position_packet(packet.payload);
   if (kind != PacketKind::data) return std::nullopt;
   const DataPacket data(packet.payload);
   if (data.size() != format().layout().size) {

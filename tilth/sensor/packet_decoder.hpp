@@ -12,6 +12,7 @@
 
 #include <tilth/core/options.hpp>
 #include <tilth/core/scan.hpp>
+#include <tilth/sensor/device_packet.hpp>
 #include <tilth/sensor/packet_clock.hpp>
 #include <tilth/sensor/recognise_packets.hpp>
 
@@ -56,6 +57,7 @@ class PacketDecoder {
   const std::vector<std::string>& decisions() const { return decisions_; }
   const PacketFormat& format() const { return convention_.format; }
   const PacketCounts& counts() const { return counts_; }
+  const std::optional<PositionInfo>& position() const { return position_; }  ///< of the last position packet
 
  private:
   struct Head {
@@ -73,6 +75,7 @@ class PacketDecoder {
   PacketClock clock_;
   std::vector<std::string> decisions_;
   PacketCounts counts_;
+  std::optional<PositionInfo> position_;
   std::vector<double> cosines_, sines_;          // of the channels' elevations
   std::array<double, kMostSlots> slot_times_{};  // [s]
   std::optional<double> last_packet_;            // [s] first shot

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <ctime>
 #include <deque>
 #include <map>
 #include <utility>
@@ -14,6 +16,24 @@ constexpr std::size_t kFirstPackets = 2000;  ///< one device packet of Leishen a
 
 std::string counted(std::size_t n, const std::string& noun) {
   return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
+
+std::string date_text(double utc) {
+  const auto seconds = std::time_t(utc);
+  std::tm date{};
+  gmtime_r(&seconds, &date);
+  std::array<char, 40> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d %H:%M:%S UTC", &date);
+  return text.data();
+}
+
+/// What Velodyne's position packets say at last.
+std::string position_text(std::size_t packets, const PositionInfo& last) {
+  constexpr std::array kPulse{"no pulse of a GPS receiver", "the GPS receiver's pulse is being locked on to",
+                              "locked to the GPS receiver's pulse", "the GPS receiver's pulse is in error"};
+  return "position packets: " + std::to_string(packets) +
+         (last.pulse ? std::string("; ") + kPulse[std::size_t(*last.pulse)] : std::string()) +
+         (last.utc ? "; last fix at " + date_text(*last.utc) : "; no GPS fix");
 }
 
 class PacketSource : public ScanSource {
@@ -62,6 +82,7 @@ class PacketSource : public ScanSource {
     const PacketCounts& counts = decoder_->counts();
     std::vector<std::string> all{"packets: " + std::to_string(counts.data) + " with points, " +
                                  std::to_string(counts.device + counts.position) + " about the sensor"};
+    if (decoder_->position()) all.push_back(position_text(counts.position, *decoder_->position()));
     const auto tell = [&](std::size_t n, const std::string& noun, const std::string& rest) {
       if (n > 0) all.push_back(counted(n, noun) + " " + rest);
     };

@@ -1,0 +1,35 @@
+// The folder of a run: nobody else writes into it meanwhile.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "file_lock.hpp"
+#include <tilth/output/output_folder.hpp>
+#include <tilth/output/run_record.hpp>
+
+namespace tilth::app {
+
+class LockedFolder {
+ public:
+  /// As prepare_output_folder(), and locks the folder by its file .lock. Throws Error naming that where another has it.
+  LockedFolder(const std::filesystem::path& folder, const std::vector<std::string>& files)
+      : lock_(prepared(folder, files) / ".lock", WhenTaken::refuse) {}
+
+ private:
+  static const std::filesystem::path& prepared(const std::filesystem::path& folder,
+                                               const std::vector<std::string>& files) {
+    prepare_output_folder(folder, files);
+    return folder;
+  }
+
+  FileLock lock_;
+};
+
+/// Opens run.mcap where it is asked for, so that scans can go into it. Throws Error where that fails.
+inline void begin_mcap(const std::filesystem::path& folder, RunRecord& record) {
+  if (record.output.mcap) record.mcap = std::make_shared<RunMcap>(folder / "run.mcap", record.output.mcap_points);
+}
+
+}  // namespace tilth::app
