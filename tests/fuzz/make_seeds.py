@@ -215,6 +215,13 @@ def main():
     write("mcap", "chunked.mcap", mcap([cloud_cdr(10), b"12345"], True))
     write("pose_file", "tum.txt", "# t x y z qx qy qz qw\n0.1 1 2 3 0 0 0 1\n0.2 1 2 3 0 0 0.7071068 0.7071068\n")
     write("pose_file", "kitti.txt", "1 0 0 1 0 1 0 2 0 0 1 3\n1 0 0 2 0 1 0 2 0 0 1 3\n")
+    write("device_packet", "leishen_v3", device_packet())
+    write("device_packet", "velodyne_position", position_packet())
+    values = " ".join(["1 2 3 0 0 0 1"] + ["1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1"])
+    write("g2o", "graph.g2o", "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\nVERTEX_SE3:QUAT 1 1 2 3 0 0 0 1\nFIX 0\n"
+          f"EDGE_SE3:QUAT 0 1 {values}\n")
+    write("rosbag2_metadata", "metadata.yaml", "rosbag2_bagfile_information:\n  version: 8\n  storage_identifier: mcap\n"
+          "  relative_file_paths:\n    - bag_0.mcap\n    - sub/bag_1.mcap.zstd\n  message_count: 2\n")
     write("times_file", "times.txt", "0.0\n0.1\n1e-1\n")
     write("config", "config.yaml", "pipeline: improved_floam\nsor:\n  k: 8\n  alpha: 1.0\nlist: [1, 2]\nanchor: &a {b: c}\n")
 

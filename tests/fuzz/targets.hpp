@@ -15,6 +15,7 @@
 #include "temporary_file.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/io/config_file.hpp>
+#include <tilth/io/g2o.hpp>
 #include <tilth/io/kitti_bin.hpp>
 #include <tilth/io/mcap.hpp>
 #include <tilth/io/payload_file.hpp>
@@ -24,8 +25,10 @@
 #include <tilth/io/pose_file.hpp>
 #include <tilth/io/rosbag1.hpp>
 #include <tilth/io/rosbag2.hpp>
+#include <tilth/io/rosbag2_metadata.hpp>
 #include <tilth/io/times_file.hpp>
 #include <tilth/io/unpack.hpp>
+#include <tilth/sensor/device_packet.hpp>
 #include <tilth/sensor/packet_decoder.hpp>
 #include <tilth/sensor/packet_message.hpp>
 #include <tilth/sensor/point_cloud2.hpp>
@@ -157,6 +160,26 @@ inline void config(Bytes bytes) {
   read_config(TemporaryFile(bytes).path());
 }
 
+inline void device_packet(Bytes bytes) {
+  const PacketKind kind = kind_of(bytes);
+  if (kind == PacketKind::device) {
+    for (const double elevation : parse_device_packet(bytes).elevations) require(std::isfinite(elevation));
+  }
+  if (kind == PacketKind::position) {
+    const PositionInfo info = parse_position_packet(bytes);
+    require(std::isfinite(info.since_hour) && (!info.utc || std::isfinite(*info.utc)));
+  }
+}
+
+inline void g2o(Bytes bytes) {
+  const PoseGraph graph = parse_g2o({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "fuzzed");
+  for (const Constraint& c : graph.constraints) require(std::max(c.from, c.to) < graph.poses.size());
+}
+
+inline void rosbag2_metadata(Bytes bytes) {
+  parse_rosbag2_metadata({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "fuzzed");
+}
+
 struct Target {
   std::string_view name;
   void (*run)(Bytes);
@@ -179,6 +202,9 @@ inline constexpr std::array kTargets{
     Target{"rosbag2", rosbag2},
     Target{"mcap", mcap},
     Target{"zstd_file", zstd_file},
+    Target{"device_packet", device_packet},
+    Target{"g2o", g2o},
+    Target{"rosbag2_metadata", rosbag2_metadata},
 };
 
 inline void run(const Target& target, Bytes bytes) {

@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <tilth/core/error.hpp>
+#include <tilth/io/input_file.hpp>
 #include <tilth/io/rosbag2_metadata.hpp>
 #include <tilth/io/unpacked_file.hpp>
 
@@ -15,8 +16,9 @@ namespace fs = std::filesystem;
 /// Some recorders list the names that the files had before they were packed, some those after; either may lie there.
 fs::path as_it_stands(const fs::path& listed) {
   const fs::path plain = unpacked_name(listed), packed = plain.string() + ".zstd";
+  std::error_code error;  // of a name that no file can have
   for (const fs::path& path : {plain, packed}) {
-    if (fs::exists(path)) return path;
+    if (fs::exists(path, error)) return path;
   }
   return listed;
 }
@@ -28,20 +30,32 @@ bool is_bag_file(const fs::path& path) {
 
 std::vector<fs::path> listed_files(const fs::path& metadata) {
   std::vector<fs::path> files;
-  try {
-    const YAML::Node bag = YAML::LoadFile(metadata.string())["rosbag2_bagfile_information"];
-    const auto storage = bag["storage_identifier"].as<std::string>("sqlite3");
-    if (storage != "sqlite3" && storage != "mcap")
-      throw Error(metadata.string(), "the bag is stored by " + storage + ", read are sqlite3 and mcap");
-    for (const YAML::Node& file : bag["relative_file_paths"])
-      files.push_back(as_it_stands(metadata.parent_path() / fs::path(file.as<std::string>()).filename()));
-  } catch (const YAML::Exception& error) {
-    throw Error(metadata.string(), error.what());
-  }
+  const std::string text(as_text(read_file(metadata)));
+  for (const std::string& file : parse_rosbag2_metadata(text, metadata.string()))
+    files.push_back(as_it_stands(metadata.parent_path() / file));
   return files;
 }
 
 }  // namespace
+
+std::vector<std::string> parse_rosbag2_metadata(const std::string& text, const std::string& name) {
+  constexpr std::size_t kMostBytes = 1 << 21;  // in memory it takes some hundred times as much
+  if (text.size() > kMostBytes) throw Error(name, "has more than " + std::to_string(kMostBytes) + " bytes");
+  std::vector<std::string> files;
+  try {
+    const YAML::Node root = YAML::Load(text);
+    if (!root.IsMap()) throw Error(name, "is no map of entries");
+    const YAML::Node bag = root["rosbag2_bagfile_information"];
+    const auto storage = bag["storage_identifier"].as<std::string>("sqlite3");
+    if (storage != "sqlite3" && storage != "mcap")
+      throw Error(name, "the bag is stored by " + storage + ", read are sqlite3 and mcap");
+    for (const YAML::Node& file : bag["relative_file_paths"])
+      files.push_back(fs::path(file.as<std::string>()).filename().string());
+  } catch (const YAML::Exception& error) {
+    throw Error(name, error.what());
+  }
+  return files;
+}
 
 std::vector<fs::path> rosbag2_files(const fs::path& folder) {
   std::vector<fs::path> files;
