@@ -15,6 +15,7 @@
 #include <tilth/io/rosbag1_writer.hpp>
 #include <tilth/io/rosbag2.hpp>
 #include <tilth/io/text_lines.hpp>
+#include <tilth/io/unpacked_file.hpp>
 
 namespace {
 
@@ -85,7 +86,7 @@ int main(int argc, char** argv) {
     std::ios::sync_with_stdio(true);
     if (dump && bag)
       dump_bag<tilth::Rosbag1Reader>(arguments[2]);
-    else if (dump && path(arguments[2]).extension() == ".mcap")
+    else if (dump && tilth::unpacked_name(arguments[2]).extension() == ".mcap")
       dump_bag<tilth::McapReader>(arguments[2]);
     else if (dump && tilth::is_rosbag2(arguments[2]))
       dump_bag<tilth::Rosbag2Reader>(arguments[2]);

@@ -103,13 +103,22 @@ void McapReader::select(const std::vector<std::string>& topics) {
 std::optional<Message> McapReader::next() {
   while (next_ < selected_.size()) {
     const Entry& entry = selected_[next_++];
-    if (entry.chunk == 0) return Message{entry.connection, entry.stamp, file_.read(entry.at, entry.size)};
-    hold(entry.chunk);
-    if (entry.at + entry.size > held_bytes_.size()) continue;
-    const auto begin = held_bytes_.begin() + std::ptrdiff_t(entry.at);
-    return Message{entry.connection, entry.stamp, {begin, begin + std::ptrdiff_t(entry.size)}};
+    std::optional<std::vector<std::byte>> bytes = read(entry);
+    // rosbag2 can pack each message by itself and says so in its metadata.yaml only; CDR never begins like that.
+    const bool packed = bytes && connections_[entry.connection].encoding == "cdr" && is_zstd(*bytes);
+    if (packed) bytes = unpack("zstd", *bytes);
+    if (bytes) return Message{entry.connection, entry.stamp, std::move(*bytes)};
+    if (packed) note("a packed message is damaged");
   }
   return std::nullopt;
+}
+
+std::optional<std::vector<std::byte>> McapReader::read(const Entry& entry) {
+  if (entry.chunk == 0) return file_.read(entry.at, entry.size);
+  hold(entry.chunk);
+  if (entry.at + entry.size > held_bytes_.size()) return std::nullopt;
+  const auto begin = held_bytes_.begin() + std::ptrdiff_t(entry.at);
+  return std::vector<std::byte>{begin, begin + std::ptrdiff_t(entry.size)};
 }
 
 void McapReader::hold(std::uint64_t chunk) {

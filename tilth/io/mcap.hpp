@@ -43,6 +43,7 @@ class McapReader {
   void index();
   void index_chunk(std::uint64_t position, std::uint64_t size);
   void take(std::uint8_t op, std::span<const std::byte> body, std::uint64_t chunk, std::uint64_t at);
+  std::optional<std::vector<std::byte>> read(const Entry& entry);
   void hold(std::uint64_t chunk);
   void note(const std::string& problem);
 

@@ -32,14 +32,6 @@ std::string uri_of(const std::filesystem::path& path, const std::string& query) 
   return uri + "?" + query;
 }
 
-/// Messages compressed one by one begin with Zstandard's magic number, CDR with a zero.
-bool is_zstd(std::span<const std::byte> blob) {
-  constexpr std::array<unsigned char, 4> kMagic{0x28, 0xB5, 0x2F, 0xFD};
-  return blob.size() >= kMagic.size() &&
-         std::equal(kMagic.begin(), kMagic.end(), blob.begin(),
-                    [](unsigned char a, std::byte b) { return a == std::to_integer<unsigned char>(b); });
-}
-
 std::string text_at(sqlite3_stmt* row, int column) {
   const unsigned char* text = sqlite3_column_text(row, column);
   return text == nullptr ? std::string{} : reinterpret_cast<const char*>(text);

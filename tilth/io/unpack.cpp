@@ -63,6 +63,13 @@ std::optional<Bytes> unpack_zstd(std::span<const std::byte> packed) {
 
 }  // namespace
 
+bool is_zstd(std::span<const std::byte> bytes) {
+  constexpr std::array<unsigned char, 4> kMagic{0x28, 0xB5, 0x2F, 0xFD};
+  return bytes.size() >= kMagic.size() &&
+         std::equal(kMagic.begin(), kMagic.end(), bytes.begin(),
+                    [](unsigned char a, std::byte b) { return a == std::to_integer<unsigned char>(b); });
+}
+
 std::optional<Bytes> unpack(std::string_view compression, std::span<const std::byte> packed) {
   if (compression == "lz4") return unpack_lz4(packed);
   if (compression == "zstd") return unpack_zstd(packed);

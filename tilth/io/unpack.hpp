@@ -15,6 +15,9 @@ namespace tilth {
 
 constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 28;  ///< [bytes] of one frame: more is taken for damage
 
+/// Whether the bytes begin as a Zstandard frame.
+bool is_zstd(std::span<const std::byte> bytes);
+
 /// The bytes in `packed`; `compression` is "lz4", "zstd" or "". Nothing where they are damaged, compressed otherwise,
 /// or more than kMostUnpacked. Memory grows with what is unpacked, whatever sizes the data claims.
 std::optional<std::vector<std::byte>> unpack(std::string_view compression, std::span<const std::byte> packed);
