@@ -10,19 +10,20 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from needs import needs  # noqa: E402
 
-numpy, rosbags, zstd = needs("numpy", "rosbags", "backports.zstd")
+numpy, rosbags, zstd, mcap = needs("numpy", "rosbags", "backports.zstd", "mcap")
+from mcap.writer import CompressionType, Writer as McapWriter  # noqa: E402
 from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer, WriterError  # noqa: E402
 from rosbags.typesys import Stores, get_typestore  # noqa: E402
 
 PROBE, TILTH = sys.argv[1:3]
 BEGIN = 1_600_000_000_000_000_123  # ns
-STORE = get_typestore(Stores.ROS2_HUMBLE)
+STORE, STORE_1 = get_typestore(Stores.ROS2_HUMBLE), get_typestore(Stores.ROS1_NOETIC)
 CLOUD, TEXT = "sensor_msgs/msg/PointCloud2", "std_msgs/msg/String"
 
 
-def cloud(index):
+def cloud(index, store=STORE):
     """2,400 points of 16 beams around the sensor, one turn, with times."""
-    types = STORE.types
+    types = store.types
     count = numpy.arange(2400)
     azimuth = -2 * numpy.pi * count / len(count)
     slope = numpy.tan(numpy.radians(count % 16 * 2.0 - 15))
@@ -33,7 +34,8 @@ def cloud(index):
     names = ["x", "y", "z", "intensity", "ring", "time"]
     fields = [field(n, points.dtype.fields[f"f{i}"][1], 4 if n == "ring" else 7, 1) for i, n in enumerate(names)]
     stamp = types["builtin_interfaces/msg/Time"](sec=1_600_000_000 + index // 10, nanosec=index % 10 * 100_000_000)
-    header = types["std_msgs/msg/Header"](stamp=stamp, frame_id="velodyne")
+    numbered = {"seq": index} if store is STORE_1 else {}
+    header = types["std_msgs/msg/Header"](**numbered, stamp=stamp, frame_id="velodyne")
     data = numpy.frombuffer(points.tobytes(), dtype="u1")
     return types[CLOUD](header, 1, len(count), fields, False, points.itemsize, points.nbytes, data, True)
 
@@ -92,6 +94,34 @@ def check_split_and_packed_mcap(temporary, messages):
     assert "split_1.mcap.zstd: is no file packed" in run(TILTH, "info", folder).stderr
 
 
+def check_ros1_in_mcap(temporary):
+    """Messages in the serialisation of ROS 1, by the package mcap."""
+    for compression in CompressionType:
+        path = temporary / f"ros1_{compression.name}.mcap"
+        clouds = [bytes(STORE_1.serialize_ros1(cloud(i, STORE_1), CLOUD)) for i in range(12)]
+        with open(path, "wb") as file:
+            writer = McapWriter(file, compression=compression)
+            writer.start(profile="ros1", library="made")
+            schema = writer.register_schema("sensor_msgs/PointCloud2", "ros1msg", b"")
+            channel = writer.register_channel("/points", "ros1", schema)
+            for i, data in enumerate(clouds):
+                writer.add_message(channel, BEGIN + i * 100_000_000, data, BEGIN + i * 100_000_000)
+            writer.finish()
+        assert [data for *_, data in read_by_us(path)[0]] == clouds, compression
+        info = run(TILTH, "info", path).stdout
+        assert "scans: 12 over 1.100 s" in info and "beams: 16" in info, info
+
+
+def check_split_database(temporary, messages):
+    for i, part in enumerate((messages[:10], messages[10:])):
+        write_bag(temporary / f"half{i}", part, StoragePlugin.SQLITE3)
+    folder = temporary / "halves"
+    folder.mkdir()
+    for i in range(2):
+        shutil.copy(next((temporary / f"half{i}").glob("*.db3")), folder / f"halves_{i}.db3")
+    assert read_by_us(folder) == (sorted(messages, key=lambda message: message[1]), "")
+
+
 def check_every_compression(temporary, messages):
     """Whatever the package can write is read equal to the last bit."""
     written = set()
@@ -113,6 +143,8 @@ def check_every_compression(temporary, messages):
 
 with tempfile.TemporaryDirectory() as temporary:
     check_every_compression(pathlib.Path(temporary), some_messages())
+    check_ros1_in_mcap(pathlib.Path(temporary))
+    check_split_database(pathlib.Path(temporary), some_messages())
     folder = pathlib.Path(temporary) / "a bag é"
     messages = some_messages()
     write_bag(folder, messages, StoragePlugin.SQLITE3)
