@@ -34,17 +34,14 @@ struct Generation {
 };
 
 const std::array<double, 16> kTwoDegrees{-15, 1, -13, 3, -11, 5, -9, 7, -7, 9, -5, 11, -3, 13, -1, 15};
+const std::array<double, 16> kNarrow{-10,    .665, -8.665, 2,    -7.33, 3.33,  -6,    4.665,
+                                     -4.665, 6,    -3.33,  7.33, -2,    8.665, -.665, 10};
 const Generation kGenerations[] = {
     {"leishen_c16_v1", 1206, 0x10, 0.01, 0, 0, kTwoDegrees},
     {"leishen_c16_v2", 1206, 0x10, 0.0025, 0.04319, 14.68, kTwoDegrees},
     {"leishen_c16_v3", 1206, 0x10, 0.0025, 0.0431, 14.68, kTwoDegrees},
-    {"leishen_c16_v3_narrow",
-     1206,
-     0x10,
-     0.0025,
-     0.0431,
-     14.68,
-     {-10, .665, -8.665, 2, -7.33, 3.33, -6, 4.665, -4.665, 6, -3.33, 7.33, -2, 8.665, -.665, 10}},
+    {"leishen_c16_v2_narrow", 1206, 0x10, 0.0025, 0.04319, 14.68, kNarrow},
+    {"leishen_c16_v3_narrow", 1206, 0x10, 0.0025, 0.0431, 14.68, kNarrow},
     {"leishen_c16_v4",
      1212,
      0x10,
