@@ -27,6 +27,7 @@ if (chosen.cut) {
   }, chosen.cut);
 }
 await page.evaluate(() => document.querySelector("#map .hint").remove());
-await page.waitForTimeout(1500);
+await page.waitForTimeout(500);
+await page.waitForFunction(() => Number(document.querySelector("#map .stage").dataset.drawn) >= Number(document.querySelector("#map .count").dataset.points));
 await page.locator("#map .stage").screenshot({ path: picture });
 await browser.close();

@@ -53,6 +53,7 @@ void close_loops(Slam& slam, RunRecord& record) {
   const Stopwatch stopwatch;
   slam.finish();
   LoopRecord loops{.odometry = record.trajectory, .graph = slam.loops().graph()};
+  for (const Keyframe& keyframe : slam.loops().keyframes()) loops.keyframe_scans.push_back(keyframe.scan);
   for (const LoopClosure& closure : slam.loops().closures())
     loops.closures.push_back(row_of(closure, slam.loops().keyframes()));
   loops.optimizations = slam.loops().optimizations();

@@ -1,6 +1,5 @@
 #include "run_report.hpp"
 
-#include <algorithm>
 #include <cstdio>
 
 #include "machine.hpp"
@@ -28,10 +27,9 @@ std::string way_line(const RunFigures& figures) {
 }
 
 std::string loops_line(const LoopRecord& loops) {
-  const auto accepted = std::count_if(loops.closures.begin(), loops.closures.end(),
-                                      [](const ClosureRow& row) { return row.verdict == "accepted"; });
-  return counted(loops.graph.poses.size(), "keyframe") + ", " + counted(std::size_t(accepted), "loop closure") +
-         " accepted of " + counted(loops.closures.size(), "candidate");
+  return counted(loops.keyframe_scans.size(), "keyframe") + ", " +
+         counted(accepted_scans(loops).size(), "loop closure") + " accepted of " +
+         counted(loops.closures.size(), "candidate");
 }
 
 std::string speed_line(const RunFigures& figures, double megabytes) {

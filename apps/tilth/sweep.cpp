@@ -130,6 +130,8 @@ Sweep judged(const SweepArguments& arguments, const std::vector<Parameter>& para
   sweep.pipeline = arguments.pipeline;
   sweep.judging = judging_of(arguments.matrix);
   for (const Parameter& parameter : parameters) sweep.parameters.push_back(parameter.key);
+  sweep.base = values_in_force(arguments, parameters, {});
+  sweep.grid = arguments.grid;
   const std::vector<RunOutcome> outcomes = judge_runs(arguments.matrix, runs);
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     const std::size_t method = i % plan.methods.size();  // runs of a recording stand side by side

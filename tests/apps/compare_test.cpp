@@ -124,7 +124,8 @@ TEST_F(Compare, SweepsEachParameterAloneAndAsAGrid) {
   EXPECT_EQ(rows[1]["outliers.alpha"], "2");
   EXPECT_GT(rows[1]["removed_percent"], 0.0);
   EXPECT_GT(rows[1]["kept_surface_percent"], 50.0);
-  EXPECT_TRUE(fs::exists(out_ / "heat_corridor_columns=400_duration=1.6_ape_rmse_m.svg"));
+  EXPECT_TRUE(fs::exists(out_ / "plots/heat_1_ape_rmse_m.svg"));
+  EXPECT_TRUE(fs::exists(out_ / "report.html"));
 }
 
 TEST_F(Compare, NamesTheArgumentThatIsWrong) {

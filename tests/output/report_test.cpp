@@ -1,4 +1,5 @@
 // The report as text: nothing that a name holds becomes markup, every number of a curve arrives, drawings are whole.
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <io/temporary_folder.hpp>
@@ -140,8 +141,55 @@ TEST(ReportJson, TheTruthLiesWhereTheMapIs) {
   }
 }
 
+/// As if loop closure had moved everything by a metre: four keyframes, two closures of three accepted.
+LoopRecord loops_of(const Trajectory& corrected) {
+  LoopRecord loops;
+  for (StampedPose pose : corrected) {
+    pose.T_world_lidar.translation().x() -= 1;
+    loops.odometry.push_back(pose);
+  }
+  loops.keyframe_scans = {0, 10, 20, 39};
+  loops.closures.resize(3);
+  for (std::size_t i = 0; i < 3; ++i) loops.closures[i].from_scan = 10 * i;
+  for (ClosureRow& row : loops.closures) row.to_scan = 39;
+  loops.closures[0].verdict = loops.closures[2].verdict = "accepted";
+  loops.closures[1].verdict = "outvoted";
+  return loops;
+}
+
+TEST(Report, ShowsKeyframesClosuresAndTheWayBefore) {
+  RunRecord record = bent_run("run");
+  EXPECT_TRUE(report_of(record, 1000).map->keyframes.empty());
+  record.loops = loops_of(record.trajectory);
+  const Report report = report_of(record, 1000);
+  EXPECT_EQ(report.map->keyframes, record.loops->keyframe_scans);
+  const std::vector<std::pair<std::size_t, std::size_t>> accepted{{0, 39}, {20, 39}};
+  EXPECT_EQ(report.map->closures, accepted);
+  ASSERT_EQ(report.map->paths.size(), 3U) << "after, before, truth";
+  EXPECT_TRUE(report.map->paths[1].poses[5].T_world_lidar.isApprox(record.loops->odometry[5].T_world_lidar));
+  EXPECT_TRUE(report.map->paths[2].truth);
+
+  const Plot& top = report.sections.front().plots.front();
+  ASSERT_EQ(top.id, "top_view");
+  ASSERT_EQ(top.curves.size(), 3U);
+  EXPECT_FLOAT_EQ(top.curves[1].x[7], top.curves[0].x[7] - 1);
+  EXPECT_TRUE(top.curves[1].behind);
+  EXPECT_FALSE(top.curves[1].truth);
+  EXPECT_EQ(top.dots->x.size(), 4U);
+  ASSERT_EQ(top.links->x.size(), 4U);
+  EXPECT_FLOAT_EQ(top.links->y[2], top.curves[0].y[20]);
+  EXPECT_FLOAT_EQ(top.links->y[3], top.curves[0].y[39]);
+  const std::string svg = svg_file(top);
+  for (const char* drawn : {"class=\"link\"", "class=\"landmark\"", "before loop closure"})
+    EXPECT_NE(svg.find(drawn), std::string::npos) << drawn;
+  const nlohmann::json json = nlohmann::json::parse(report_json(report));
+  EXPECT_EQ(json["map"]["closures"], nlohmann::json({{0, 39}, {20, 39}}));
+  EXPECT_EQ(floats_of(json["arrays"][json["plots"]["top_view"]["dots"]["x"].get<std::size_t>()]).size(), 4U);
+}
+
 TEST(SvgPlot, DrawsEveryKind) {
-  for (const PlotKind kind : {PlotKind::lines, PlotKind::path, PlotKind::boxes, PlotKind::bars, PlotKind::histogram}) {
+  for (const PlotKind kind :
+       {PlotKind::lines, PlotKind::path, PlotKind::boxes, PlotKind::bars, PlotKind::histogram, PlotKind::heat}) {
     Plot plot;
     plot.kind = kind;
     plot.title = kHostile;
@@ -151,9 +199,20 @@ TEST(SvgPlot, DrawsEveryKind) {
     const std::string svg = svg_file(plot);
     EXPECT_EQ(svg.find("<script"), std::string::npos);
     EXPECT_EQ(svg.find("nan"), std::string::npos);
-    EXPECT_NE(svg.find("s1"), std::string::npos) << int(kind);
+    EXPECT_NE(svg.find(kind == PlotKind::heat ? ">4</text>" : "s1"), std::string::npos) << int(kind);
     EXPECT_TRUE(svg.ends_with("</svg>\n"));
   }
+}
+
+TEST(SvgPlot, AnUnknownCellSaysSo) {
+  Plot plot;
+  plot.kind = PlotKind::heat;
+  plot.categories = {"a", "b"};
+  plot.curves = {{"row", {}, {0.5F, std::nanf("")}, {}}};
+  const std::string svg = svg_file(plot);
+  EXPECT_NE(svg.find(">0.5</text>"), std::string::npos);
+  EXPECT_NE(svg.find(">-</text>"), std::string::npos);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
 TEST(SvgPlot, BearsCurvesWithoutAPointAndWithOneValue) {

@@ -50,8 +50,19 @@ export async function openPage(browser, file, options = {}) {
   return page;
 }
 
-/** Colours of the 3D view and how many of its pixels have each, drawn anew. */
+/** Waits until the 3D view holds all points of the map. */
+export async function mapDrawn(page) {
+  const frame = () => new Promise((resume) => requestAnimationFrame(() => requestAnimationFrame(resume)));
+  await page.evaluate(frame); // what was changed last is asked for
+  await page.waitForFunction(() => {
+    const [stage, count] = ["#map .stage", "#map .count"].map((place) => document.querySelector(place));
+    return Number(stage.dataset.drawn) >= Number(count.dataset.points);
+  });
+}
+
+/** Colours of the 3D view and how many of its pixels have each. */
 export async function canvasColors(page) {
+  await mapDrawn(page);
   const picture = (await page.locator("#map canvas").screenshot({ timeout: 120_000 })).toString("base64");
   return page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));

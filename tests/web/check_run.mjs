@@ -6,6 +6,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { canvasColors, livePlot, openBrowser, openPage } from "./browser.mjs";
 
+// Loops where hardly a way is gone: a keyframe every step, held against those just passed.
+const kLoops = ["--loop-closure", "--set", "loop.keyframe.distance=0.1", "--set", "loop.detect.min_way=0.5", "--set", "loop.submap_from=1"];
 const tilth = process.argv[2];
 const folder = mkdtempSync(join(tmpdir(), "tilth-web-"));
 const browser = await openBrowser();
@@ -15,9 +17,9 @@ function rows(file, separator) {
   return text.split("\n").map((line) => line.split(separator));
 }
 
-function column(name) {
-  const [head, ...body] = rows("scans.csv", ",");
-  return body.map((row) => Number(row[head.indexOf(name)]));
+function column(name, file = "scans.csv", kind = Number) {
+  const [head, ...body] = rows(file, ",");
+  return body.map((row) => kind(row[head.indexOf(name)]));
 }
 
 function sum(counts) {
@@ -38,7 +40,28 @@ async function theCurvesHoldTheData(page) {
     assert.ok(Math.abs(data[1][i] - times[i]) < 1e-3);
   }
   const speed = await livePlot(page, "speed");
-  assert.equal(speed.data.length, 3, "time, truth, estimate");
+  assert.equal(speed.data.length, 4, "time, truth, before loop closure, estimate");
+}
+
+async function theLoopsAreShown(page) {
+  const verdicts = column("verdict", "closures.csv", String).filter((verdict) => verdict === "accepted");
+  assert.ok(verdicts.length > 0, "the run closes loops");
+  const { keyframes, closures, paths } = await page.evaluate(() => JSON.parse(document.getElementById("report").textContent).map);
+  assert.equal(closures.length, verdicts.length);
+  assert.ok(keyframes.length > verdicts.length / 2);
+  assert.deepEqual(paths.map((path) => path.name), ["tilth", "before loop closure", "truth"]);
+  await page.evaluate(() => window.scrollTo(0, 0));
+  const parts = ["keyframes", "loop closures", "trajectory", "truth", "before loop closure"]; // from the uppermost down
+  for (const part of parts) {
+    const before = await canvasColors(page);
+    await page.locator("#map label", { hasText: part }).locator("input").uncheck();
+    assert.notDeepEqual(await canvasColors(page), before, `${part}: not drawn`);
+  }
+  for (const part of parts) await page.locator("#map label", { hasText: part }).locator("input").check();
+  await livePlot(page, "top_view");
+  const top = page.locator('figure[data-plot="top_view"]');
+  assert.equal(await top.locator(".dots circle").count(), keyframes.length);
+  assert.equal(await top.locator(".links path").count(), closures.length);
 }
 
 async function theSliderMovesTheRobot(page) {
@@ -92,13 +115,14 @@ async function itTurnsUnderTheMouse(page) {
 
 try {
   execFileSync(tilth, ["simulate", "corridor", "--out", join(folder, "sim"), "--duration", "16", "--quiet"]);
-  execFileSync(tilth, ["run", join(folder, "sim"), "--out", join(folder, "out"), "--truth", join(folder, "sim/truth.tum"), "--quiet"]);
+  execFileSync(tilth, ["run", join(folder, "sim"), "--out", join(folder, "out"), "--truth", join(folder, "sim/truth.tum"), "--quiet", ...kLoops]);
   const report = join(folder, "out/report.html");
   assert.ok(readdirSync(join(folder, "out/plots")).includes("ape.svg"));
 
   const page = await openPage(browser, report);
   assert.ok(drawnShare(await canvasColors(page)) > 0.02, "the map is drawn");
   await theCurvesHoldTheData(page);
+  await theLoopsAreShown(page);
   await hoveringSaysTheValue(page);
   await theSliderMovesTheRobot(page);
   await itTurnsUnderTheMouse(page);

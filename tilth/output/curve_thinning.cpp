@@ -38,7 +38,8 @@ Curve thinned(const Curve& curve, std::size_t most, PlotKind kind) {
   const bool ordered = kind == PlotKind::lines || kind == PlotKind::path;
   if (!ordered || curve.y.size() <= most || most < 4) return curve;
   const auto kept = kind == PlotKind::path ? evenly(curve.y.size(), most) : extremes(curve.y, most);
-  return {curve.name, chosen(curve.x, kept), chosen(curve.y, kept), chosen(curve.shade, kept), curve.truth};
+  return {curve.name,  chosen(curve.x, kept), chosen(curve.y, kept), chosen(curve.shade, kept),
+          curve.truth, curve.behind};
 }
 
 }  // namespace tilth

@@ -35,18 +35,6 @@ std::string dumped(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-/// Titles, then every row, as people read them.
-std::vector<Row> words_of(const FigureTable& table) {
-  std::vector<Row> rows(1);
-  for (const FigureColumn& column : table.columns) rows[0].push_back(column.title);
-  for (const auto& figures : table.rows) {
-    rows.emplace_back();
-    for (std::size_t i = 0; i < figures.size(); ++i)
-      rows.back().push_back(rounded(figures[i], table.columns[i].decimals));
-  }
-  return rows;
-}
-
 /// Whether a column holds words: then it is set to the left.
 bool has_words(const FigureTable& table, std::size_t column) {
   return std::any_of(table.rows.begin(), table.rows.end(), [column](const auto& row) { return row[column].is_word; });
@@ -91,8 +79,19 @@ Json to_json(const FigureTable& table) {
 
 }  // namespace
 
+std::vector<std::vector<std::string>> table_words(const FigureTable& table) {
+  std::vector<Row> rows(1);
+  for (const FigureColumn& column : table.columns) rows[0].push_back(column.title);
+  for (const auto& figures : table.rows) {
+    rows.emplace_back();
+    for (std::size_t i = 0; i < figures.size(); ++i)
+      rows.back().push_back(rounded(figures[i], table.columns[i].decimals));
+  }
+  return rows;
+}
+
 std::string table_text(const FigureTable& table) {
-  const std::vector<Row> rows = words_of(table);
+  const std::vector<Row> rows = table_words(table);
   std::vector<std::string> lines(rows.size());
   for (std::size_t column = 0; column < table.columns.size(); ++column) {
     std::size_t width = 0;
@@ -108,7 +107,7 @@ std::string table_text(const FigureTable& table) {
 }
 
 std::string table_markdown(const FigureTable& table) {
-  const std::vector<Row> rows = words_of(table);
+  const std::vector<Row> rows = table_words(table);
   std::string text = "**";
   text.append(markdown_word(table.title)).append("**\n\n");
   for (std::size_t i = 0; i < rows.size(); ++i) {

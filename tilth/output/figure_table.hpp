@@ -33,6 +33,9 @@ struct FigureTable {
   std::vector<std::string> notes;         ///< sentences below the table
 };
 
+/// The titles, then every row, as people read them.
+std::vector<std::vector<std::string>> table_words(const FigureTable& table);
+
 /// Numbers to the right, words to the left; a figure that is missing is "-".
 std::string table_text(const FigureTable& table);
 

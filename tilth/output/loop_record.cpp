@@ -40,6 +40,14 @@ std::string line_of(const ClosureRow& row) {
 
 }  // namespace
 
+std::vector<std::pair<std::size_t, std::size_t>> accepted_scans(const LoopRecord& loops) {
+  std::vector<std::pair<std::size_t, std::size_t>> scans;
+  for (const ClosureRow& row : loops.closures) {
+    if (row.verdict == "accepted") scans.emplace_back(row.from_scan, row.to_scan);
+  }
+  return scans;
+}
+
 void write_closures(const std::filesystem::path& path, const std::vector<ClosureRow>& closures) {
   std::string text = header();
   for (const ClosureRow& row : closures) text += line_of(row);

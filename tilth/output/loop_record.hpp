@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <tilth/core/pose_graph.hpp>
@@ -24,12 +25,16 @@ struct ClosureRow {
 };
 
 struct LoopRecord {
-  Trajectory odometry = {};  ///< of all scans, before loop closure
-  PoseGraph graph = {};      ///< of the keyframes
+  Trajectory odometry = {};                      ///< of all scans, before loop closure
+  PoseGraph graph = {};                          ///< of the keyframes
+  std::vector<std::size_t> keyframe_scans = {};  ///< number of the registered scan that each keyframe is
   std::vector<ClosureRow> closures = {};
   int optimizations = 0;
   double finish_ms = 0.0;  ///< of the last optimisation, the trajectory and the map
 };
+
+/// The scans of the two keyframes of each closure that was accepted.
+std::vector<std::pair<std::size_t, std::size_t>> accepted_scans(const LoopRecord& loops);
 
 /// Throws Error where the file cannot be written in full.
 void write_closures(const std::filesystem::path& path, const std::vector<ClosureRow>& closures);

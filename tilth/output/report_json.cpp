@@ -48,6 +48,7 @@ const char* name_of(PlotKind kind) {
     case PlotKind::boxes: return "boxes";
     case PlotKind::bars: return "bars";
     case PlotKind::histogram: return "histogram";
+    case PlotKind::heat: return "heat";
   }
   return "";
 }
@@ -63,8 +64,14 @@ Json curve_json(const Curve& whole, PlotKind kind, Arrays& arrays) {
   Json json{{"name", curve.name}, {"y", arrays.number_of(curve.y)}};
   if (!curve.x.empty()) json["x"] = arrays.number_of(curve.x);
   if (curve.truth) json["truth"] = true;
+  if (curve.behind) json["behind"] = true;
   if (!curve.shade.empty()) json["shade"] = arrays.number_of(curve.shade);
   return json;
+}
+
+/// Points of a path that stand for themselves: none is left out.
+Json places_json(const Curve& places, Arrays& arrays) {
+  return {{"name", places.name}, {"x", arrays.number_of(places.x)}, {"y", arrays.number_of(places.y)}};
 }
 
 Json plot_json(const Plot& plot, Arrays& arrays) {
@@ -76,6 +83,9 @@ Json plot_json(const Plot& plot, Arrays& arrays) {
   for (const Curve& curve : plot.curves) json["curves"].push_back(curve_json(curve, plot.kind, arrays));
   json["marks"] = Json::array();
   for (const Mark& mark : plot.marks) json["marks"].push_back({{"name", mark.name}, {"value", mark.value}});
+  for (const auto& [name, places] : {std::pair("links", &plot.links), std::pair("dots", &plot.dots)}) {
+    if (*places) json[name] = places_json(**places, arrays);
+  }
   if (plot.band) json["band"] = {{"name", plot.band->name}, {"low", plot.band->low}, {"high", plot.band->high}};
   return json;
 }

@@ -37,7 +37,18 @@ std::vector<Fact> facts_of(const RunRecord& record, const std::optional<JudgedRu
   } else {
     facts.push_back({"end to start", text("%.3f m", figures.end_to_start)});
   }
+  if (record.loops) {
+    facts.push_back({"keyframes", std::to_string(record.loops->keyframe_scans.size())});
+    facts.push_back({"loop closures", std::to_string(accepted_scans(*record.loops).size()) + " of " +
+                                          std::to_string(record.loops->closures.size()) + " candidates"});
+  }
   return facts;
+}
+
+void add_loops(const LoopRecord& loops, MapView& map) {
+  map.paths.push_back({kBeforeLoops, loops.odometry, false});
+  map.keyframes = loops.keyframe_scans;
+  map.closures = accepted_scans(loops);
 }
 
 }  // namespace
@@ -51,6 +62,7 @@ Report report_of(const RunRecord& record, std::size_t map_points) {
   report.facts = facts_of(record, judged_run);
   report.map =
       MapView{pack_map(record.map.points(), map_points), {{record.pipeline, record.trajectory, false}}, {}, {}};
+  if (record.loops) add_loops(*record.loops, *report.map);
   if (judged_run) report.map->paths.push_back({"truth", judged_run->truth_in_world, true});
   report.sections.push_back(way_section(record, judged_run));
   if (judged_run) report.sections.push_back(accuracy_section(record, *judged_run));

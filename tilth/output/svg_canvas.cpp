@@ -93,6 +93,13 @@ void SvgCanvas::box(SvgPoint corner, SvgPoint opposite, std::string_view style) 
                attribute("height", std::abs(opposite.y - corner.y)) + class_of(style) + "/>\n";
 }
 
+void SvgCanvas::shaded_box(SvgPoint corner, SvgPoint opposite, std::string_view color) {
+  elements_ += "<rect" + attribute("x", std::min(corner.x, opposite.x)) +
+               attribute("y", std::min(corner.y, opposite.y)) + attribute("width", std::abs(opposite.x - corner.x)) +
+               attribute("height", std::abs(opposite.y - corner.y)) + " class=\"cell\" fill=\"" + std::string(color) +
+               "\"/>\n";
+}
+
 void SvgCanvas::dot(SvgPoint at, double radius, std::string_view style) {
   elements_ +=
       "<circle" + attribute("cx", at.x) + attribute("cy", at.y) + attribute("r", radius) + class_of(style) + "/>\n";

@@ -28,6 +28,8 @@ class SvgCanvas {
   /// A piece of a way in a colour of its own, "#rrggbb".
   void shaded_line(SvgPoint from, SvgPoint to, std::string_view color);
   void box(SvgPoint corner, SvgPoint opposite, std::string_view style);
+  /// A cell in a colour of its own, "#rrggbb".
+  void shaded_box(SvgPoint corner, SvgPoint opposite, std::string_view color);
   void dot(SvgPoint at, double radius, std::string_view style);
   void text(SvgPoint at, std::string_view words, std::string_view style);
   void turned_text(SvgPoint at, std::string_view words, std::string_view style);  ///< reads upwards

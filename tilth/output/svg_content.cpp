@@ -16,11 +16,12 @@ constexpr std::size_t kMostSegments = 500;  // of a path, each with a colour of 
 constexpr std::size_t kColors = 8;
 constexpr double kBarShare = 0.8;  // of the place of a category that its bars fill
 
-/// The numbers of the curves as they are drawn: the truth first, below the others.
+/// The numbers of the curves as they are drawn: the truth first, below the others, then those behind.
 std::vector<std::size_t> drawing_order(const Plot& plot) {
   std::vector<std::size_t> order(plot.curves.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::stable_partition(order.begin(), order.end(), [&](std::size_t c) { return plot.curves[c].truth; });
+  const auto rank = [&](std::size_t c) { return plot.curves[c].truth ? 0 : plot.curves[c].behind ? 1 : 2; };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   return order;
 }
 
@@ -44,6 +45,15 @@ void draw_shaded(SvgCanvas& canvas, const SvgFrame& frame, const Curve& whole) {
   }
 }
 
+void draw_landmarks(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
+  for (std::size_t i = 1; plot.links && i < plot.links->y.size(); i += 2) {
+    const Curve& ends = *plot.links;
+    canvas.line(frame.at(ends.x[i - 1], ends.y[i - 1]), frame.at(ends.x[i], ends.y[i]), "link");
+  }
+  for (std::size_t i = 0; plot.dots && i < plot.dots->y.size(); ++i)
+    canvas.dot(frame.at(plot.dots->x[i], plot.dots->y[i]), 2, "landmark");
+}
+
 void draw_path(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
   const bool shaded =
       std::any_of(plot.curves.begin(), plot.curves.end(), [](const Curve& c) { return !c.shade.empty(); });
@@ -51,6 +61,7 @@ void draw_path(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
   for (const Curve& curve : plot.curves) {
     if (!curve.shade.empty()) draw_shaded(canvas, frame, curve);
   }
+  draw_landmarks(canvas, frame, plot);
   const Curve& first = plot.curves.front();
   if (!first.y.empty()) canvas.dot(frame.at(first.x.front(), first.y.front()), 4, "start");
 }
@@ -112,6 +123,7 @@ void draw_content(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
     case PlotKind::boxes: draw_boxes(canvas, frame, plot); break;
     case PlotKind::bars: draw_bars(canvas, frame, plot); break;
     case PlotKind::histogram: draw_histogram(canvas, frame, plot); break;
+    case PlotKind::heat: draw_heat(canvas, frame, plot); break;
   }
   for (std::size_t m = 0; m < plot.marks.size(); ++m) {
     const double y = frame.y(plot.marks[m].value);

@@ -12,18 +12,19 @@ constexpr double kLowestPath = 150, kHighestPath = 460;  // [px] of the frame of
 constexpr double kHeadroom = 0.05;                       // share of the range left free at its ends
 
 bool by_category(PlotKind kind) {
-  return kind == PlotKind::boxes || kind == PlotKind::bars;
+  return kind == PlotKind::boxes || kind == PlotKind::bars || kind == PlotKind::heat;
 }
 
 Range x_range(const Plot& plot) {
-  if (plot.kind == PlotKind::boxes) return {0.0, double(plot.curves.size())};
-  if (plot.kind == PlotKind::bars) return {0.0, double(plot.categories.size())};
+  if (plot.kind == PlotKind::boxes) return {0.0, std::max(1.0, double(plot.curves.size()))};
+  if (by_category(plot.kind)) return {0.0, std::max(1.0, double(plot.categories.size()))};
   std::vector<Range> parts;
   for (const Curve& curve : plot.curves) parts.push_back(extent(curve.x));
   return range_of(parts);
 }
 
 Range y_range(const Plot& plot) {
+  if (plot.kind == PlotKind::heat) return {0.0, std::max(1.0, double(plot.curves.size()))};
   std::vector<Range> parts;
   for (const Curve& curve : plot.curves) {
     if (plot.kind != PlotKind::boxes) parts.push_back(extent(curve.y));

@@ -24,6 +24,9 @@ SvgFrame frame_of(const Plot& plot, double head);
 /// Draws the curves, marks and bands of `plot` into `frame`.
 void draw_content(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot);
 
+/// Draws the cells of a heat plot, each with its value.
+void draw_heat(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot);
+
 /// The class of the n-th curve: one of eight colours, or that of the truth.
 std::string curve_style(const Plot& plot, std::size_t n);
 

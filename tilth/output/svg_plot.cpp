@@ -16,7 +16,7 @@ struct LegendEntry {
 
 std::vector<LegendEntry> entries_of(const Plot& plot) {
   std::vector<LegendEntry> entries;
-  const bool named = plot.curves.size() > 1 && plot.kind != PlotKind::boxes;
+  const bool named = plot.curves.size() > 1 && plot.kind != PlotKind::boxes && plot.kind != PlotKind::heat;
   for (std::size_t c = 0; named && c < plot.curves.size(); ++c) {
     entries.push_back({plot.curves[c].name, "curve " + curve_style(plot, c), {}});
   }
@@ -24,6 +24,8 @@ std::vector<LegendEntry> entries_of(const Plot& plot) {
     entries.push_back({plot.marks[m].name, "mark m" + std::to_string(m % 4), {}});
   }
   if (plot.band) entries.push_back({plot.band->name, "bandline", {}});
+  if (plot.dots && !plot.dots->y.empty()) entries.push_back({plot.dots->name, "landmarks", {}});
+  if (plot.links && !plot.links->y.empty()) entries.push_back({plot.links->name, "link", {}});
   return entries;
 }
 
@@ -57,7 +59,8 @@ void draw_legend(SvgCanvas& canvas, const std::vector<LegendEntry>& entries) {
 
 void draw_x_axis(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
   const double below = frame.bottom + 16;
-  if (plot.kind == PlotKind::boxes || plot.kind == PlotKind::bars) {
+  canvas.text({(frame.left + frame.right) / 2, frame.bottom + 34}, axis_text(plot.x), "label middle");
+  if (plot.kind == PlotKind::boxes || plot.kind == PlotKind::bars || plot.kind == PlotKind::heat) {
     const std::size_t count = plot.kind == PlotKind::boxes ? plot.curves.size() : plot.categories.size();
     for (std::size_t i = 0; i < count; ++i) {
       const std::string& name = plot.kind == PlotKind::boxes ? plot.curves[i].name : plot.categories[i];
@@ -70,12 +73,14 @@ void draw_x_axis(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
     canvas.line({frame.x(tick), frame.top}, {frame.x(tick), frame.bottom}, "grid");
     canvas.text({frame.x(tick), below}, tick_text(tick, step), "tick middle");
   }
-  canvas.text({(frame.left + frame.right) / 2, frame.bottom + 34}, axis_text(plot.x), "label middle");
 }
 
 void draw_y_axis(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
+  const bool heat = plot.kind == PlotKind::heat;
+  for (std::size_t c = 0; heat && c < plot.curves.size(); ++c)
+    canvas.text({frame.left - 6, frame.y(double(c) + 0.5) + 4}, plot.curves[c].name, "tick end");
   const double step = tick_step(frame.y.range, plot.kind == PlotKind::path ? 6 : 5);
-  for (const double tick : ticks(frame.y.range, step)) {
+  for (const double tick : heat ? std::vector<double>{} : ticks(frame.y.range, step)) {
     canvas.line({frame.left, frame.y(tick)}, {frame.right, frame.y(tick)}, "grid");
     canvas.text({frame.left - 6, frame.y(tick) + 4}, tick_text(tick, step), "tick end");
   }

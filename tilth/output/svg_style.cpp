@@ -22,6 +22,9 @@ text { font: 12px Helvetica, Arial, sans-serif; fill: #333 }
 .m2 { stroke: #333; stroke-dasharray: 2 3 } .m3 { stroke: #cc79a7; stroke-dasharray: 8 3 2 3 }
 .box { fill-opacity: 0.35; stroke-width: 1 } .bar { fill-opacity: 0.75; stroke-width: 0.5 }
 .whisker { stroke: #444; stroke-width: 1 } .median { stroke: #111; stroke-width: 2 }
+.cell { stroke: #fff } .value { fill: #222 } .light { fill: #fff }
+.link { stroke: #c2185b; stroke-width: 1.2 } .landmark { fill: #333 }
+.landmarks { stroke: #333; stroke-width: 4; stroke-linecap: round; stroke-dasharray: 0.1 6.5 }
 .mean { fill: #fff; stroke: #111; stroke-width: 1 } .start { fill: #111 }
 )";
 }

@@ -1,11 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cmath>
-#include <limits>
 
 #include <tilth/io/output_file.hpp>
-#include <tilth/output/heat_map.hpp>
+#include <tilth/output/html_report.hpp>
 #include <tilth/output/sweep.hpp>
 
 namespace tilth {
@@ -83,61 +80,6 @@ std::vector<std::string> notes_of(const Sweep& sweep) {
   return notes;
 }
 
-std::vector<std::string> distinct(const FigureTable& table, const std::string& source, std::size_t column) {
-  std::vector<std::string> words;
-  for (const auto& row : table.rows) {
-    const bool wanted = source.empty() || row[0].word == source;
-    if (wanted && std::find(words.begin(), words.end(), row[column].word) == words.end())
-      words.push_back(row[column].word);
-  }
-  return words;
-}
-
-/// The mean of a column over the rows of a source with these values of the first two parameters.
-double cell_of(const FigureTable& table, const std::array<std::string, 3>& words, std::size_t column) {
-  double sum = 0, count = 0;
-  for (const auto& row : table.rows) {
-    if (row[0].word != words[0] || row[1].word != words[1] || row[2].word != words[2] || !row[column].number) continue;
-    sum += *row[column].number;
-    ++count;
-  }
-  return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
-}
-
-HeatMap heat_map_of(const FigureTable& table, const std::string& source, std::size_t column) {
-  HeatMap map{source + ": " + table.columns[column].title,
-              table.columns[1].title,
-              table.columns[2].title,
-              distinct(table, source, 1),
-              distinct(table, source, 2),
-              {}};
-  for (const std::string& y : map.y_values) {
-    map.cells.emplace_back();
-    for (const std::string& x : map.x_values) map.cells.back().push_back(cell_of(table, {source, x, y}, column));
-  }
-  return map;
-}
-
-std::string file_word(std::string word) {
-  for (char& c : word) {
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '=' && c != '.') c = '_';
-  }
-  return word;
-}
-
-void write_heat_maps(const std::filesystem::path& folder, const Sweep& sweep, const FigureTable& table) {
-  for (const std::string& source : distinct(table, "", 0)) {
-    for (std::size_t column = sweep.parameters.size() + 1; column < table.columns.size(); ++column) {
-      const std::string& key = table.columns[column].key;
-      const bool known = std::any_of(table.rows.begin(), table.rows.end(),
-                                     [&](const auto& row) { return row[0].word == source && row[column].number; });
-      if (key == "runs" || key == "failed" || !known) continue;
-      const std::string name = "heat_" + file_word(source) + "_" + key + ".svg";
-      write_text(folder / name, heat_map_svg(heat_map_of(table, source, column)));
-    }
-  }
-}
-
 }  // namespace
 
 FigureTable sweep_table(const Sweep& sweep) {
@@ -157,7 +99,7 @@ void write_sweep(const std::filesystem::path& folder, const Sweep& sweep) {
   write_text(folder / "sweep.md", table_markdown(table));
   write_text(folder / "sweep.csv", table_csv(table));
   write_text(folder / "sweep.json", tables_json(names, {&table, 1}));
-  if (sweep.parameters.size() > 1) write_heat_maps(folder, sweep, table);
+  write_report(folder, report_of(sweep));
 }
 
 }  // namespace tilth

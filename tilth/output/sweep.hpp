@@ -27,6 +27,8 @@ struct SweepRun {
 struct Sweep {
   std::string version, pipeline;
   std::vector<std::string> parameters;  ///< keys
+  std::vector<std::string> base;        ///< their values where the sweep changes none
+  bool grid = false;                    ///< every combination was run, not each parameter alone
   JudgingOptions judging;
   std::vector<SweepRun> runs;
 };
@@ -34,8 +36,11 @@ struct Sweep {
 /// One row a source and setting, over its runs.
 FigureTable sweep_table(const Sweep& sweep);
 
-/// Writes sweep.txt, .md, .csv, .json, and for each source and figure of a sweep over two or more parameters a heat map
-/// of the first two (means over the rest), heat_SOURCE_FIGURE.svg. Throws Error where one cannot be written.
+/// Every figure over each parameter alone, the others at their base (or, where that was not run, at the first of their
+/// values); the tables; of a grid the figures over the first two parameters as heat maps, means over the rest.
+Report report_of(const Sweep& sweep);
+
+/// Writes sweep.txt, .md, .csv, .json, and report.html with plots/. Throws Error where one cannot be written.
 void write_sweep(const std::filesystem::path& folder, const Sweep& sweep);
 
 }  // namespace tilth

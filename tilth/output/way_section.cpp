@@ -17,11 +17,29 @@ Plot over_time(std::string id, std::string title, Axis y, std::vector<Curve> cur
   return plot;
 }
 
+/// The positions of the poses with these numbers, from above.
+Curve places_of(const Trajectory& way, const std::vector<std::size_t>& numbers, const std::string& name) {
+  Curve places{name, {}, {}, {}};
+  for (const std::size_t i : numbers) {
+    places.x.push_back(float(way[i].T_world_lidar.translation().x()));
+    places.y.push_back(float(way[i].T_world_lidar.translation().y()));
+  }
+  return places;
+}
+
+void add_loops(const Trajectory& way, const LoopRecord& loops, Plot& top) {
+  top.dots = places_of(way, loops.keyframe_scans, "keyframes");
+  std::vector<std::size_t> ends;
+  for (const auto& [from, to] : accepted_scans(loops)) ends.insert(ends.end(), {from, to});
+  top.links = places_of(way, ends, "loop closures");
+}
+
 }  // namespace
 
 Section way_section(const RunRecord& record, const std::optional<JudgedRun>& judged) {
   const double start = record.trajectory.empty() ? 0.0 : record.trajectory.front().stamp;
   std::vector<std::pair<std::string, const Trajectory*>> ways{{record.pipeline, &record.trajectory}};
+  if (record.loops) ways.emplace_back(kBeforeLoops, &record.loops->odometry);
   if (judged) ways.emplace_back("truth", &judged->truth_in_world);
   std::vector<Curve> above, roll, pitch, yaw, speed, height;
   for (const auto& [name, way] : ways) {
@@ -35,6 +53,7 @@ Section way_section(const RunRecord& record, const std::optional<JudgedRun>& jud
   }
   for (std::vector<Curve>* curves : {&above, &roll, &pitch, &yaw, &speed, &height}) {
     if (judged) curves->back().truth = true;
+    if (record.loops) (*curves)[1].behind = true;
   }
   Section section{"way", "The way", "", {}, {}};
   Plot top;
@@ -45,6 +64,7 @@ Section way_section(const RunRecord& record, const std::optional<JudgedRun>& jud
   top.x = {"x", "m"};
   top.y = {"y", "m"};
   top.curves = std::move(above);
+  if (record.loops) add_loops(record.trajectory, *record.loops, top);
   section.plots.push_back(std::move(top));
   section.plots.push_back(over_time("speed", "Speed", {"speed", "m/s"}, std::move(speed)));
   section.plots.back().note = "Distance of the pose before and the pose after, divided by the time between.";

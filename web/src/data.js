@@ -44,6 +44,9 @@ export function readReport() {
     for (const curve of plot.curves) {
       for (const key of ["x", "y", "shade"]) lazily(curve, key, array);
     }
+    for (const places of [plot.links, plot.dots]) {
+      for (const key of places ? ["x", "y"] : []) lazily(places, key, array);
+    }
   }
   for (const path of report.map?.paths ?? []) {
     for (const key of ["t", "x", "y", "z", "qx", "qy", "qz", "qw"]) path[key] = array(path[key]);

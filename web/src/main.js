@@ -51,12 +51,19 @@ function watchPlots(report, timeline) {
   }
 }
 
+/** Resolves after the next frame. */
+function painted() {
+  return new Promise((resume) => requestAnimationFrame(() => setTimeout(resume)));
+}
+
 async function main() {
   const report = readReport();
   const timeline = new Timeline(duration(report));
   watchPlots(report, timeline);
+  await painted(); // the page can be read while WebGL starts
   const place = document.getElementById("map");
   if (place && report.map) await MapView.open(place, report.map, timeline);
+  document.documentElement.dataset.opened = performance.now().toFixed(0); // [ms]
   document.documentElement.dataset.ready = "yes";
 }
 

@@ -1,35 +1,49 @@
-// When the view is drawn, and how many of the map's points: while it moves only as many as the machine draws smoothly,
-// all of them when it rests.
+// When the view is drawn, and how many of the map's points at a time: as many as the machine draws smoothly. While the view
+// moves that is the whole picture; when it rests the other points are added to it, frame by frame, so that not even a
+// slow machine is held up by all of them at once.
 
-const kFirst = 600_000; // points while moving, to begin with
+const kFirst = 250_000; // points at a time, to begin with
 const kLeast = 50_000;
 const kSlow = 45; // [ms] between two frames: fewer points
 const kFast = 22; // more
-const kRest = 220; // [ms] without a change until all points are drawn
+const kLessen = 0.7;
+const kMore = 1.3;
+const kPause = 1000; // [ms] between two frames that have nothing to do with each other
+const kRest = 220; // [ms] without a change until the other points are added
 
 export class Pace {
+  /** `render(anew, drawn)` draws the points chosen by points.draw() anew or into the picture that stands, which then has `drawn`. */
   constructor(points, render) {
     this.points = points;
     this.render = render;
-    this.budget = Math.min(kFirst, points.count);
+    this.budget = kFirst;
+    this.drawn = 0;
+    this.anew = true;
     this.queued = false;
-    this.last = 0;
+    this.last = -Infinity;
   }
 
-  /** Something moves: draw soon, thinned where that is needed. */
+  /** Something moves: draw soon, add to it when it rests. */
   moving() {
-    this.request(this.budget);
+    this.fills = false;
     clearTimeout(this.rest);
-    this.rest = setTimeout(() => this.still(), kRest);
+    this.rest = setTimeout(() => this.fill(), kRest);
+    this.anew = true;
+    this.request();
   }
 
-  /** Nothing moves: draw everything once. */
+  /** Something changed, and nothing moves: draw anew, and add to it at once. */
   still() {
-    this.request(this.points.count);
+    this.anew = true;
+    this.fill();
   }
 
-  request(count) {
-    this.wanted = count;
+  fill() {
+    this.fills = true;
+    this.request();
+  }
+
+  request() {
     if (this.queued) return;
     this.queued = true;
     requestAnimationFrame((now) => this.frame(now));
@@ -37,13 +51,21 @@ export class Pace {
 
   frame(now) {
     this.queued = false;
-    const between = now - this.last;
-    if (between < 1000 && this.wanted < this.points.count) {
-      if (between > kSlow) this.budget = Math.max(kLeast, Math.floor(0.7 * this.budget));
-      if (between < kFast) this.budget = Math.min(this.points.count, Math.ceil(1.1 * this.budget));
-    }
+    this.adapt(now - this.last);
     this.last = now;
-    this.points.draw(this.wanted);
-    this.render();
+    const from = this.anew ? 0 : this.drawn;
+    const count = Math.min(this.budget, this.points.count - from);
+    if (!this.anew && count === 0) return;
+    this.points.draw(from, count);
+    this.drawn = from + count;
+    this.render(this.anew, this.drawn);
+    this.anew = false;
+    if (this.fills && this.drawn < this.points.count) this.request();
+  }
+
+  adapt(between) {
+    if (between > kPause) return;
+    if (between > kSlow) this.budget = Math.max(kLeast, Math.floor(kLessen * this.budget));
+    if (between < kFast) this.budget = Math.min(Math.max(this.points.count, kFirst), Math.ceil(kMore * this.budget));
   }
 }

@@ -12,10 +12,11 @@ function modeChoice(view) {
   return choice;
 }
 
-function toggle(view, part, name) {
+/** Shows a part of the view or hides it; `swatch` names the colour that it has. */
+function toggle(view, part, name, swatch) {
   const box = element("input", { type: "checkbox", checked: true });
   box.addEventListener("change", () => view.toggle(part, box.checked));
-  return element("label", {}, box, name);
+  return element("label", {}, box, ...(swatch ? [element("i", { className: `swatch ${swatch}` })] : []), name);
 }
 
 /** Hides what lies above a height; all of it is there at the right end. */
@@ -38,7 +39,7 @@ function button(text, act) {
 export class Panel {
   constructor(place, map, view) {
     this.map = map;
-    this.canvas = element("canvas", { tabIndex: 0 });
+    this.canvas = view.renderer.domElement;
     this.legend = element("div", { className: "ramp" });
     this.stage = element("div", { className: "stage" }, this.canvas, this.legend, element("div", { className: "hint", text: kHint }));
     this.readout = element("output", { className: "readout" });
@@ -51,12 +52,16 @@ export class Panel {
   }
 
   choices(view) {
-    const toggles = [toggle(view, "cloud", "map"), toggle(view, "ways", "trajectory")];
-    if (this.map.paths.some((path) => path.truth)) toggles.push(toggle(view, "truths", "truth"));
-    if (this.map.keyframes.length) toggles.push(toggle(view, "keyframes", "keyframes"));
-    if (this.map.closures.length) toggles.push(toggle(view, "closures", "loop closures"));
+    const { paths, keyframes, closures } = this.map;
+    const toggles = [toggle(view, "cloud", "map"), toggle(view, "ways", "trajectory", "way")];
+    const before = paths.slice(1).find((path) => !path.truth);
+    if (before) toggles.push(toggle(view, "earlier", before.name, "earlier"));
+    if (paths.some((path) => path.truth)) toggles.push(toggle(view, "truths", "truth", "truth"));
+    if (keyframes.length) toggles.push(toggle(view, "keyframes", "keyframes", "keyframe"));
+    if (closures.length) toggles.push(toggle(view, "closures", "loop closures", "closure"));
     toggles.push(toggle(view, "grid", "grid"), cut(view));
     const shown = element("span", { className: "count", text: this.countText() });
+    shown.dataset.points = this.map.count;
     return [modeChoice(view), ...toggles, button("oblique", () => view.look("oblique")), button("from above", () => view.look("top")), shown];
   }
 

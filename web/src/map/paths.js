@@ -30,12 +30,15 @@ export class Way {
     this.object = new THREE.Group();
     if (path.t.length < 2) return;
     this.past = fatLine(flat, { linewidth: width });
-    this.whole = fatLine(flat, { linewidth: 1, opacity: 0.5 });
+    this.whole = fatLine(flat, { linewidth: 1 });
     this.object.add(this.whole, this.past);
   }
 
-  setColor(color) {
-    for (const line of this.object.children) line.material.color.set(color);
+  /** `color`, and half way to that of the `ground` as a whole. */
+  setColor(color, ground) {
+    if (!this.past) return;
+    this.past.material.color.copy(color);
+    this.whole.material.color.copy(color).lerp(ground, 0.5);
   }
 
   showUntil(time) {
@@ -74,7 +77,7 @@ export class Robot {
 export function keyframeDots(path, keyframes) {
   const flat = new Float32Array(keyframes.flatMap((i) => [path.x[i], path.y[i], path.z[i]]));
   const geometry = new THREE.BufferGeometry().setAttribute("position", new THREE.BufferAttribute(flat, 3));
-  const dots = new THREE.Points(geometry, new THREE.PointsMaterial({ size: 6, sizeAttenuation: false, depthTest: false, transparent: true }));
+  const dots = new THREE.Points(geometry, new THREE.PointsMaterial({ size: 4, sizeAttenuation: false, depthTest: false, transparent: true }));
   dots.renderOrder = 2;
   return dots;
 }

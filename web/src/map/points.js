@@ -1,6 +1,6 @@
 // The points of the map on the graphics card: two million 16-bit points in one buffer, coloured and shown up to a
 // moment by the shader, so that neither costs the page anything. Their order is a fixed shuffle: any first part of it is
-// an even thinning of the whole, which is what is drawn while the view moves.
+// an even thinning of the whole, which is what is drawn at first and while the view moves.
 import * as THREE from "three";
 import { inflated, undifferenced } from "../data.js";
 
@@ -114,8 +114,8 @@ export class MapPoints {
     this.material.uniforms.size.value = pixels;
   }
 
-  /** Draws no more than `count` points. */
-  draw(count) {
-    this.object.geometry.setDrawRange(0, Math.min(count, this.count));
+  /** Draws `count` points from number `first` on. */
+  draw(first, count) {
+    this.object.geometry.setDrawRange(first, count);
   }
 }

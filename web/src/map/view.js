@@ -1,8 +1,9 @@
 // The 3D view: the map over its grid, the ways, the robot at the moment that the timeline shows; turned and zoomed with
-// the mouse. It draws only when something changed.
+// the mouse. It draws only when something changed; what is added to a picture that stands is drawn into it.
 import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { color, onThemeChange } from "../theme.js";
+import { element } from "../words.js";
 import { gridBox, makeGrid } from "./grid.js";
 import { Pace } from "./pace.js";
 import { Panel } from "./panel.js";
@@ -55,25 +56,31 @@ function frame(camera, box, direction) {
 }
 
 export class MapView {
+  /** The view in `place`, its first picture drawn; where there is no WebGL `place` stays as it is. */
   static async open(place, map, timeline) {
-    const points = await MapPoints.open(map);
-    return new MapView(place, map, points, timeline);
+    const unpacking = MapPoints.open(map); // beside the start of WebGL
+    const canvas = element("canvas", { tabIndex: 0 });
+    const context = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true }); // what is drawn stays, to be added to
+    if (!context) return;
+    const view = new MapView(place, map, await unpacking, timeline, new THREE.WebGLRenderer({ canvas, context }));
+    await new Promise((resume) => requestAnimationFrame(resume));
+    await view.finished();
   }
 
-  constructor(place, map, points, timeline) {
-    Object.assign(this, { map, points, timeline });
+  constructor(place, map, points, timeline, renderer) {
+    Object.assign(this, { map, points, timeline, renderer });
     this.panel = new Panel(place, map, this);
     this.box = boxOf(map, points);
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, canvas: this.panel.canvas });
+    this.renderer.autoClear = false;
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // colours stand as they are given
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.scene = new THREE.Scene();
+    this.ground = new THREE.Scene(); // below all that is added to a picture
     this.camera = new THREE.PerspectiveCamera(kFieldOfView, 1, 0.05, 10000);
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.panel.canvas);
     this.controls.zoomToCursor = true;
     this.controls.screenSpacePanning = false;
-    this.pace = new Pace(points, () => this.render());
+    this.pace = new Pace(points, (anew, drawn) => this.render(anew, drawn));
     this.fill();
     this.restyle();
     this.listen();
@@ -85,17 +92,19 @@ export class MapView {
     const [estimate, ...others] = this.map.paths;
     const size = this.box.getSize(new THREE.Vector3());
     this.ways = new THREE.Group();
+    this.earlier = new THREE.Group();
     this.truths = new THREE.Group();
     this.main = new Way(estimate, 3);
     this.others = others.map((path) => new Way(path, 2));
     this.ways.add(this.main.object);
-    this.others.forEach((way) => (way.path.truth ? this.truths : this.ways).add(way.object));
+    this.others.forEach((way) => (way.path.truth ? this.truths : this.earlier).add(way.object));
     this.robot = new Robot(estimate, Math.max(0.4, 0.018 * Math.max(size.x, size.y)));
     this.keyframes = keyframeDots(estimate, this.map.keyframes);
     this.closures = closureLines(estimate, this.map.closures);
     this.grid = new THREE.Group();
     this.cloud = this.points.object;
-    this.scene.add(this.cloud, this.ways, this.truths, this.robot.object, this.keyframes, this.closures, this.grid);
+    this.scene.add(this.cloud, this.ways, this.earlier, this.truths, this.robot.object, this.keyframes, this.closures);
+    this.ground.add(this.grid);
     this.robot.object.visible = estimate.t.length > 0;
     this.colorBy("height");
   }
@@ -110,13 +119,14 @@ export class MapView {
 
   /** Takes on the colours of the page. */
   restyle() {
-    this.scene.background = new THREE.Color().setStyle(color("scene"), THREE.LinearSRGBColorSpace);
     const plain = (name) => new THREE.Color().setStyle(color(name), THREE.LinearSRGBColorSpace);
+    const ground = plain("scene");
+    this.renderer.setClearColor(ground);
     this.grid.clear();
     this.grid.add(makeGrid(this.box, plain("scene-grid"), color("faint")));
-    this.main.setColor(plain("way"));
-    this.others.forEach((way, i) => way.setColor(plain(way.path.truth ? "truth" : `s${(i + 1) % 8}`)));
-    this.robot.setColor(plain("way"), plain("scene"));
+    this.main.setColor(plain("way"), ground);
+    this.others.forEach((way) => way.setColor(plain(way.path.truth ? "truth" : "earlier"), ground));
+    this.robot.setColor(plain("way"), ground);
     this.keyframes.material.color.copy(plain("keyframe"));
     this.closures.material.color.copy(plain("closure"));
     this.pace.still();
@@ -159,8 +169,9 @@ export class MapView {
 
   resize() {
     const { clientWidth: width, clientHeight: height } = this.panel.stage;
-    if (!width || !height) return;
-    this.renderer.setSize(width, height, false);
+    if (!width || !height || (width === this.width && height === this.height)) return;
+    Object.assign(this, { width, height });
+    this.renderer.setDrawingBufferSize(width, height, Math.min(devicePixelRatio, 2));
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     const pixels = (height * this.renderer.getPixelRatio()) / (2 * Math.tan((kFieldOfView * Math.PI) / 360));
@@ -168,7 +179,21 @@ export class MapView {
     this.pace.still();
   }
 
-  render() {
+  render(anew, drawn) {
+    if (anew) {
+      this.renderer.clear();
+      this.renderer.render(this.ground, this.camera);
+    }
     this.renderer.render(this.scene, this.camera);
+    this.panel.stage.dataset.drawn = drawn;
+  }
+
+  /** Waits until the graphics card has drawn what it was given. */
+  async finished() {
+    const gl = this.renderer.getContext();
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await new Promise((resume) => setTimeout(resume, 5));
+    gl.deleteSync(fence);
   }
 }

@@ -3,25 +3,12 @@ import * as Plot from "@observablehq/plot";
 import { lastNotAbove } from "../data.js";
 import { color, curveColor } from "../theme.js";
 import { axisText, element, quantityText } from "../words.js";
+import { heat } from "./heat.js";
+import { common, tipLook } from "./look.js";
 
-const kHeight = 270; // [px] of all but ways
 const kWayHeights = [300, 560]; // [px] least and most
 const kShades = ["#2560a8", "#34a8a0", "#f0b43c", "#cd322d"]; // as tilth/output/svg_content.cpp
 const kMostHovered = 4000; // points of a way that the mouse finds
-
-const tipLook = () => ({ fill: color("card"), stroke: color("grid") });
-
-function common(plot, width) {
-  return {
-    width,
-    height: kHeight,
-    marginLeft: 62,
-    marginBottom: 40,
-    style: { background: "none", color: color("faint"), fontSize: "12px", fontFamily: "inherit", overflow: "visible" },
-    x: { label: axisText(plot.x), labelAnchor: "center", labelArrow: "none" },
-    y: { label: axisText(plot.y), labelAnchor: "center", labelArrow: "none", grid: true },
-  };
-}
 
 function rowsOf(curve) {
   const step = Math.max(1, Math.ceil(curve.y.length / kMostHovered));
@@ -55,6 +42,22 @@ function wayFrame(plot, width) {
   return { height: high + 60, x: [mx - wide / 2 / scale, mx + wide / 2 / scale], y: [my - high / 2 / scale, my + high / 2 / scale] };
 }
 
+/** Loop closures as lines, keyframes as dots. */
+function landmarksOf(plot) {
+  const marks = [];
+  if (plot.links) {
+    const ends = rowsOfPlaces(plot.links);
+    const pairs = ends.filter((_, i) => i % 2 === 0).map((from, i) => ({ from, to: ends[2 * i + 1] }));
+    marks.push(Plot.link(pairs, { x1: (p) => p.from.x, y1: (p) => p.from.y, x2: (p) => p.to.x, y2: (p) => p.to.y, stroke: color("closure"), strokeWidth: 1.4, className: "links" }));
+  }
+  if (plot.dots) marks.push(Plot.dot(rowsOfPlaces(plot.dots), { x: "x", y: "y", r: 2, fill: color("keyframe"), className: "dots" }));
+  return marks;
+}
+
+function rowsOfPlaces(places) {
+  return Array.from(places.x, (x, i) => ({ x, y: places.y[i] }));
+}
+
 function way(plot, width) {
   const frame = wayFrame(plot, width);
   const shaded = plot.curves.find((c) => c.shade);
@@ -66,6 +69,7 @@ function way(plot, width) {
       : Plot.line(r, { x: "x", y: "y", stroke: curveColor(plot.curves, i), strokeWidth: plot.curves[i].truth ? 5 : 1.8 }),
   );
   lines.reverse(); // the truth, given last, lies below
+  const landmarks = landmarksOf(plot);
   return Plot.plot({
     ...options,
     height: frame.height,
@@ -76,6 +80,7 @@ function way(plot, width) {
     color: shaded ? { range: kShades, interpolate: "rgb", legend: false, type: "linear" } : undefined,
     marks: [
       ...lines,
+      ...landmarks,
       Plot.dot(rows[0].slice(0, 1), { x: "x", y: "y", r: 4, fill: color("ink") }),
       Plot.tip(rows.flat(), Plot.pointer({ x: "x", y: "y", title: (r) => wayTitle(plot, r), ...tipLook() })),
     ],
@@ -152,16 +157,19 @@ function follow(chart, report, timeline) {
 /** Names and colours of the curves, or the strip of colours of a shaded way. */
 function legend(plot, chart) {
   if (plot.shade) return Plot.legend({ color: chart.scale("color"), label: axisText(plot.shade), width: 240, style: { background: "none" } });
-  const names = plot.kind === "boxes" || plot.curves.length < 2 ? [] : plot.curves.map((c) => c.name);
-  return element("div", { className: "names" }, ...names.map((name, i) => {
+  const named = plot.kind !== "boxes" && plot.kind !== "heat" && plot.curves.length > 1 ? plot.curves : [];
+  const entries = named.map((c, i) => [c.name, curveColor(plot.curves, i)]);
+  if (plot.dots?.x.length) entries.push([plot.dots.name, color("keyframe")]);
+  if (plot.links?.x.length) entries.push([plot.links.name, color("closure")]);
+  return element("div", { className: "names" }, ...entries.map(([name, background]) => {
     const swatch = element("i");
-    swatch.style.background = curveColor(plot.curves, i);
+    swatch.style.background = background;
     return element("span", {}, swatch, name);
   }));
 }
 
 export function drawnPlot(plot, { timeline, report, width }) {
-  const chart = { path: way, boxes, bars, histogram }[plot.kind](plot, width);
+  const chart = { path: way, boxes, bars, histogram, heat }[plot.kind](plot, width);
   const leave = plot.kind === "path" ? follow(chart, report, timeline) : () => {};
   return { element: element("div", { className: "drawn" }, legend(plot, chart), chart), remove: leave };
 }

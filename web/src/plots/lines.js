@@ -1,7 +1,7 @@
 // Curves over time or another axis, by uPlot: values under the mouse, a stretch zoomed by dragging, all plots over time
 // moving together; a click moves the robot of the map there.
 import uPlot from "uplot";
-import { color } from "../theme.js";
+import { color, curveColor } from "../theme.js";
 import { axisText, element, numberText, quantityText } from "../words.js";
 
 const kHeight = 236; // [px] without the legend
@@ -37,9 +37,9 @@ function addLevels(plot, data, series, bands) {
 }
 
 function curveSeries(plot) {
-  return plot.curves.map((curve, i) => ({
+  return plot.curves.map((curve) => ({
     label: curve.name,
-    stroke: color(curve.truth ? "true" : `s${(plot.curves[0].truth ? i - 1 : i) % 8}`),
+    stroke: curve.stroke,
     width: curve.truth ? 3.5 : 1.4,
     spanGaps: true,
     points: { show: false },
@@ -72,13 +72,15 @@ function nowLine(chart, timeline) {
   chart.ctx.restore();
 }
 
-/** The truth lies below what is held against it. */
-function truthFirst(plot) {
-  return { ...plot, curves: [...plot.curves].sort((a, b) => Number(b.truth ?? false) - Number(a.truth ?? false)) };
+/** The curves in the order of drawing, each in the colour of its place: the truth lies below what is held against it. */
+function inDrawingOrder(plot) {
+  const rank = (curve) => (curve.truth ? 0 : curve.behind ? 1 : 2);
+  const curves = plot.curves.map((c, i) => ({ name: c.name, x: c.x, y: c.y, truth: c.truth, behind: c.behind, stroke: curveColor(plot.curves, i) }));
+  return { ...plot, curves: curves.sort((a, b) => rank(a) - rank(b)) };
 }
 
 export function linePlot(given, { timeline, width }) {
-  const plot = truthFirst(given);
+  const plot = inDrawingOrder(given);
   const data = joined(plot.curves);
   const series = [{ label: plot.x.label, value: (_, v) => (v === null ? "–" : quantityText(v, plot.x)) }, ...curveSeries(plot)];
   const bands = [];
