@@ -19,6 +19,7 @@ page.setDefaultTimeout(300_000);
 await page.goto(pathToFileURL(report).href);
 await page.waitForFunction(() => document.documentElement.dataset.ready === "yes");
 for (const part of chosen.hide?.split(",") ?? []) await page.locator("#map label", { hasText: part }).first().locator("input").uncheck();
+if (chosen.hide) await page.locator("#map button", { hasText: "oblique" }).click();
 if (chosen.from === "top") await page.locator("#map button", { hasText: "from above" }).click();
 if (chosen.cut) {
   await page.locator("#map .cut input").evaluate((slider, share) => {

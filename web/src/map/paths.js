@@ -30,6 +30,7 @@ export class Way {
     this.object = new THREE.Group();
     if (path.t.length < 2) return;
     this.past = fatLine(flat, { linewidth: width });
+    this.past.renderOrder = 1.5;
     this.whole = fatLine(flat, { linewidth: 1 });
     this.object.add(this.whole, this.past);
   }

@@ -4,6 +4,7 @@ import * as THREE from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { color, onThemeChange } from "../theme.js";
 import { element } from "../words.js";
+import { boxOfMap, boxOfWays } from "./box.js";
 import { gridBox, makeGrid } from "./grid.js";
 import { Pace } from "./pace.js";
 import { Panel } from "./panel.js";
@@ -14,22 +15,6 @@ import { modes, rampTexture } from "./ramps.js";
 const kFieldOfView = 45; // [deg]
 const kRoom = 1.08; // times the distance from which all is seen
 const kPointSize = 0.07; // [m] that a point covers
-
-function boxOf(map, points) {
-  const box = new THREE.Box3();
-  for (const path of map.paths) {
-    for (let i = 0; i < path.t.length; ++i) box.expandByPoint(new THREE.Vector3(path.x[i], path.y[i], path.z[i]));
-  }
-  if (!points.count) return box.isEmpty() ? new THREE.Box3(new THREE.Vector3(-1, -1, 0), new THREE.Vector3(1, 1, 1)) : box;
-  const p = points.object.geometry.attributes.position;
-  const stride = Math.max(1, Math.floor(points.count / 20000));
-  const sides = [[], [], []];
-  for (let i = 0; i < points.count; i += stride) [p.getX(i), p.getY(i), p.getZ(i)].forEach((v, axis) => sides[axis].push(v));
-  const at = (values, share) => values[Math.floor(share * (values.length - 1))];
-  sides.forEach((values) => values.sort((a, b) => a - b));
-  const corner = (share) => new THREE.Vector3(...sides.map((v, a) => map.origin[a] + map.step * at(v, share)));
-  return box.expandByPoint(corner(0.005)).expandByPoint(corner(0.995));
-}
 
 /** Puts `camera` so that it looks along `direction` reversed and `box` fills the view; returns where it looks to. */
 function frame(camera, box, direction) {
@@ -70,7 +55,7 @@ export class MapView {
   constructor(place, map, points, timeline, renderer) {
     Object.assign(this, { map, points, timeline, renderer });
     this.panel = new Panel(place, map, this);
-    this.box = boxOf(map, points);
+    this.boxes = { map: boxOfMap(map, points), ways: boxOfWays(map) };
     this.renderer.autoClear = false;
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // colours stand as they are given
     this.scene = new THREE.Scene();
@@ -90,7 +75,7 @@ export class MapView {
 
   fill() {
     const [estimate, ...others] = this.map.paths;
-    const size = this.box.getSize(new THREE.Vector3());
+    const size = this.boxes.map.getSize(new THREE.Vector3());
     this.ways = new THREE.Group();
     this.earlier = new THREE.Group();
     this.truths = new THREE.Group();
@@ -122,14 +107,24 @@ export class MapView {
     const plain = (name) => new THREE.Color().setStyle(color(name), THREE.LinearSRGBColorSpace);
     const ground = plain("scene");
     this.renderer.setClearColor(ground);
-    this.grid.clear();
-    this.grid.add(makeGrid(this.box, plain("scene-grid"), color("faint")));
+    this.regrid();
     this.main.setColor(plain("way"), ground);
     this.others.forEach((way) => way.setColor(plain(way.path.truth ? "truth" : "earlier"), ground));
     this.robot.setColor(plain("way"), ground);
     this.keyframes.material.color.copy(plain("keyframe"));
     this.closures.material.color.copy(plain("closure"));
     this.pace.still();
+  }
+
+  /** What the view is fitted to: the map, or the ways where that is hidden. */
+  get box() {
+    return this.cloud.visible ? this.boxes.map : this.boxes.ways;
+  }
+
+  regrid() {
+    const line = new THREE.Color().setStyle(color("scene-grid"), THREE.LinearSRGBColorSpace);
+    this.grid.clear();
+    this.grid.add(makeGrid(this.box, line, color("faint")));
   }
 
   colorBy(mode) {
@@ -146,10 +141,11 @@ export class MapView {
 
   toggle(part, visible) {
     this[part].visible = visible;
+    if (part === "cloud") this.regrid();
     this.pace.still();
   }
 
-  /** Looks at the whole map: "oblique" or from the "top". */
+  /** Looks at all of it: "oblique" or from the "top". */
   look(from) {
     const size = this.box.getSize(new THREE.Vector3());
     const back = size.x >= size.y ? new THREE.Vector3(0, -1, 0) : new THREE.Vector3(1, 0, 0);
