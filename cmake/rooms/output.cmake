@@ -9,7 +9,7 @@ set(web_files ${web_build}/report.js ${web_build}/report.css ${web_build}/report
 find_program(TILTH_NODE node)
 if(TILTH_NODE AND EXISTS ${web}/node_modules/esbuild)
   set(TILTH_WEB_BUNDLE ON)
-  file(GLOB web_sources CONFIGURE_DEPENDS ${web}/src/*)
+  file(GLOB_RECURSE web_sources CONFIGURE_DEPENDS ${web}/src/*)
   add_custom_command(
     OUTPUT ${web_files}
     COMMAND ${TILTH_NODE} ${web}/build.mjs ${web_build}

@@ -43,6 +43,22 @@ Plot errors_of(const std::vector<MethodSummary>& entries, const std::string& num
   return plot;
 }
 
+Plot statistics_of(const std::vector<MethodSummary>& entries, const std::string& number) {
+  Plot plot;
+  plot.id = "ape_bars_" + number;
+  plot.title = "Statistics of the errors";
+  plot.kind = PlotKind::bars;
+  plot.y = {"APE", "m"};
+  plot.curves = {{"median", {}, {}, {}}, {"mean", {}, {}, {}}, {"RMSE", {}, {}, {}}, {"max", {}, {}, {}}};
+  for (const MethodSummary& entry : entries) {
+    if (entry.judged == 0) continue;
+    plot.categories.push_back(entry.method);
+    const std::array<double, 4> values{entry.ape.median, entry.ape.mean, entry.ape.rmse, entry.ape.max};
+    for (std::size_t i = 0; i < values.size(); ++i) plot.curves[i].y.push_back(float(values[i]));
+  }
+  return plot;
+}
+
 Plot times_of(const std::vector<MethodSummary>& entries, const std::string& number) {
   Plot plot;
   plot.id = "cpu_" + number;
@@ -62,7 +78,7 @@ Plot times_of(const std::vector<MethodSummary>& entries, const std::string& numb
 Section section_of(const std::vector<MethodSummary>& entries, const std::string& number) {
   Section section{"source_" + number, entries.front().source, "", {table_of(entries)}, {}};
   const Plot errors = errors_of(entries, number);
-  if (!errors.curves.empty()) section.plots = {errors, times_of(entries, number)};
+  if (!errors.curves.empty()) section.plots = {errors, statistics_of(entries, number), times_of(entries, number)};
   return section;
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <tilth/output/svg_frame.hpp>
 #include <tilth/output/svg_plot.hpp>
 #include <tilth/output/svg_style.hpp>
@@ -7,6 +9,7 @@ namespace {
 
 constexpr double kTitle = 26, kLegendRow = 18, kTop = 10;  // [px] heights above the frame
 constexpr double kLetter = 6.4;                            // [px] mean width of a letter of the legend
+constexpr double kNameRow = 14;                            // [px] between two rows of names
 constexpr double kSwatch = 20, kGap = 16;                  // [px] of the legend
 
 struct LegendEntry {
@@ -62,10 +65,14 @@ void draw_x_axis(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
   canvas.text({(frame.left + frame.right) / 2, frame.bottom + 34}, axis_text(plot.x), "label middle");
   if (plot.kind == PlotKind::boxes || plot.kind == PlotKind::bars || plot.kind == PlotKind::heat) {
     const std::size_t count = plot.kind == PlotKind::boxes ? plot.curves.size() : plot.categories.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::string& name = plot.kind == PlotKind::boxes ? plot.curves[i].name : plot.categories[i];
-      canvas.text({frame.x(double(i) + 0.5), below}, name, "tick middle");
-    }
+    const auto name = [&](std::size_t i) {
+      return plot.kind == PlotKind::boxes ? plot.curves[i].name : plot.categories[i];
+    };
+    std::size_t longest = 0;
+    for (std::size_t i = 0; i < count; ++i) longest = std::max(longest, letters(name(i)));
+    const bool crowded = kLetter * double(longest + 1) > frame.x(1) - frame.x(0);
+    for (std::size_t i = 0; i < count; ++i)  // every other one a line lower where they would meet
+      canvas.text({frame.x(double(i) + 0.5), below + (crowded && i % 2 == 1 ? kNameRow : 0)}, name(i), "tick middle");
     return;
   }
   const double step = tick_step(frame.x.range, 9);

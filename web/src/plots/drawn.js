@@ -4,7 +4,7 @@ import { lastNotAbove } from "../data.js";
 import { color, curveColor } from "../theme.js";
 import { axisText, element, quantityText } from "../words.js";
 import { heat } from "./heat.js";
-import { common, tipLook } from "./look.js";
+import { common, nameAxis, nameMargin, tipLook } from "./look.js";
 
 const kWayHeights = [300, 560]; // [px] least and most
 const kShades = ["#2560a8", "#34a8a0", "#f0b43c", "#cd322d"]; // as tilth/output/svg_content.cpp
@@ -93,7 +93,8 @@ function boxes(plot, width) {
   const options = common(plot, width);
   return Plot.plot({
     ...options,
-    x: { domain: rows.map((r) => r.name), label: null, padding: 0.4 },
+    marginBottom: nameMargin(rows.map((r) => r.name), width),
+    x: { domain: rows.map((r) => r.name), label: null, padding: 0.4, ...nameAxis(rows.map((r) => r.name), width) },
     marks: [
       Plot.ruleX(rows, { x: "name", y1: "p01", y2: "p99", stroke: color("faint") }),
       Plot.barY(rows, { x: "name", y1: "q1", y2: "q3", fill: "color", fillOpacity: 0.45, stroke: "color" }),
@@ -110,7 +111,8 @@ function bars(plot, width) {
   return Plot.plot({
     ...options,
     marginTop: 30,
-    fx: { domain: plot.categories, label: null, padding: 0.15, axis: "bottom" },
+    marginBottom: nameMargin(plot.categories, width),
+    fx: { domain: plot.categories, label: null, padding: 0.15, axis: "bottom", ...nameAxis(plot.categories, width) },
     x: { domain: plot.curves.map((c) => c.name), axis: null, padding: 0.05 },
     marks: [
       Plot.barY(rows, { fx: "category", x: "name", y: "y", fill: "color", fillOpacity: 0.85 }),

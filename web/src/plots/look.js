@@ -17,3 +17,15 @@ export function common(plot, width) {
     y: { label: axisText(plot.y), labelAnchor: "center", labelArrow: "none", grid: true },
   };
 }
+
+/** Options of an axis of names: turned where they would meet. */
+export function nameAxis(names, width) {
+  const crowded = names.some((name) => (name.length + 1) * 6.6 > (width - 80) / names.length);
+  return crowded ? { tickRotate: -28 } : {};
+}
+
+/** [px] below the frame that such an axis takes. */
+export function nameMargin(names, width) {
+  const { tickRotate } = nameAxis(names, width);
+  return tickRotate ? 24 + Math.min(90, 3.4 * Math.max(...names.map((name) => name.length))) : 40;
+}
