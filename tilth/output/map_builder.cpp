@@ -9,41 +9,17 @@
 namespace tilth {
 namespace {
 
-constexpr std::size_t kFirstSlots = 1 << 16;
-constexpr double kLargestIndex = 1 << 20;  // of a voxel along an axis: 21 bits with its sign
-
-/// Never zero, so that zero can mark a free slot; zero where the voxel lies outside what 21 bits an axis can say.
-std::uint64_t voxel_key(double x, double y, double z, double voxel) {
-  std::uint64_t key = 1;
-  for (const double coordinate : {x, y, z}) {
-    const double index = std::floor(coordinate / voxel);
-    if (!(std::abs(index) < kLargestIndex)) return 0;
-    key = key << 21 | std::uint64_t(index + kLargestIndex);
-  }
-  return key;
-}
-
-std::size_t hash_of(std::uint64_t key) {
-  key *= 0x9E3779B97F4A7C15u;  // Fibonacci hashing
-  return std::size_t(key ^ key >> 32);
-}
-
-/// Takes the voxel of `key`; false where it was taken before.
-bool take(std::vector<std::uint64_t>& slots, std::uint64_t key) {
-  const std::size_t mask = slots.size() - 1;
-  std::size_t slot = hash_of(key) & mask;
-  while (slots[slot] != 0) {
-    if (slots[slot] == key) return false;
-    slot = (slot + 1) & mask;
-  }
-  slots[slot] = key;
-  return true;
+/// Adds the voxel of the point; false where it was there before, or where it lies outside what the set can hold.
+bool take(VoxelSet& voxels, const MapPoint& point, double voxel) {
+  const Eigen::Vector3d place = Eigen::Vector3d(point.x, point.y, point.z) * (1 / voxel);
+  if (!(place.cwiseAbs().maxCoeff() < VoxelSet::kReach)) return false;
+  const Eigen::Vector3i towards_zero = place.cast<int>();
+  return voxels.insert(towards_zero - (place.array() < towards_zero.cast<double>().array()).cast<int>().matrix());
 }
 
 }  // namespace
 
-MapBuilder::MapBuilder(const MapOptions& options)
-    : voxel_(options.voxel), max_points_(options.max_points), slots_(kFirstSlots, 0) {}
+MapBuilder::MapBuilder(const MapOptions& options) : voxel_(options.voxel), max_points_(options.max_points) {}
 
 void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const Vector6d& velocity) {
   const bool timed = cloud.has_times();
@@ -58,15 +34,11 @@ void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, double 
 }
 
 void MapBuilder::insert(const MapPoint& point) {
-  const std::uint64_t key = voxel_key(point.x, point.y, point.z, voxel_);
-  if (key == 0 || !take(slots_, key)) return;
+  if (!take(voxels_, point, voxel_)) return;
   points_.push_back(point);
-  if (points_.size() > max_points_) {
-    voxel_ *= 2;
-    rebuild(slots_.size());
-  } else if (2 * points_.size() > slots_.size()) {
-    rebuild(2 * slots_.size());
-  }
+  if (points_.size() <= max_points_) return;
+  voxel_ *= 2;
+  rebuild();
 }
 
 void MapBuilder::move(std::span<const Pose> T_new_old) {
@@ -74,15 +46,12 @@ void MapBuilder::move(std::span<const Pose> T_new_old) {
     const Eigen::Vector3d p = T_new_old[point.scan] * Eigen::Vector3d(point.x, point.y, point.z);
     point = {float(p.x()), float(p.y()), float(p.z()), point.intensity, point.scan};
   }
-  rebuild(slots_.size());
+  rebuild();
 }
 
-void MapBuilder::rebuild(std::size_t slots) {
-  slots_.assign(slots, 0);
-  std::erase_if(points_, [&](const MapPoint& p) {
-    const std::uint64_t key = voxel_key(p.x, p.y, p.z, voxel_);
-    return key == 0 || !take(slots_, key);
-  });
+void MapBuilder::rebuild() {
+  voxels_.clear();
+  std::erase_if(points_, [&](const MapPoint& p) { return !take(voxels_, p, voxel_); });
 }
 
 PointRecords MapBuilder::records() const {

@@ -11,6 +11,7 @@
 #include <tilth/core/point_cloud.hpp>
 #include <tilth/core/point_records.hpp>
 #include <tilth/core/se3.hpp>
+#include <tilth/core/voxel_set.hpp>
 
 namespace tilth {
 
@@ -54,13 +55,13 @@ class MapBuilder {
 
  private:
   void insert(const MapPoint& point);
-  void rebuild(std::size_t slots);
+  void rebuild();
 
   double voxel_;
   std::size_t max_points_;
   std::uint32_t scans_ = 0;
   std::vector<MapPoint> points_;
-  std::vector<std::uint64_t> slots_;  // open addressing: the key of a voxel, or zero
+  VoxelSet voxels_;  // of points_
 };
 
 }  // namespace tilth
