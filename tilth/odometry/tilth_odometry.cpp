@@ -42,7 +42,8 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   result.velocity = alignment.velocity;
   result.stamp = scan.stamp + options_.pose_at * scan_duration;
   const double since_middle = (options_.pose_at - 0.5) * scan_duration;
-  result.T_world_lidar = retract(alignment.pose.T_target_source, alignment.velocity * since_middle);
+  result.T_world_lidar = alignment.pose.T_target_source * exp(alignment.tremor.at(options_.pose_at)) *
+                         exp(alignment.velocity * since_middle);
   const auto flat = std::count_if(patches.begin(), patches.end(), [](const SurfacePatch& p) { return p.flat; });
   result.counts = {cloud.size(), cloud.size() - result.filtered.size(), patches.size() - std::size_t(flat),
                    std::size_t(flat)};
@@ -77,7 +78,7 @@ void TilthOdometry::insert(const SurfacePatches& patches, double middle, const M
   motion_ = next(motion_, alignment);
   if (!is_first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
   const Pose& T_map_middle = alignment.pose.T_target_source;
-  map_.insert(deskew(patches, alignment.velocity, middle), T_map_middle);
+  map_.insert(deskew(patches, alignment.velocity, middle, alignment.tremor), T_map_middle);
   map_.crop(T_map_middle.translation());
   ++registered_;
 }

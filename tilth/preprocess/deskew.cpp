@@ -5,12 +5,13 @@
 
 namespace tilth {
 
-SurfacePatches deskew(SurfacePatches patches, const Vector6d& velocity, double reference_time) {
+SurfacePatches deskew(SurfacePatches patches, const Vector6d& velocity, double reference_time,
+                      const ScanTremor& tremor) {
   if (patches.empty() || velocity.isZero(0)) return patches;
   const auto earlier = [](const SurfacePatch& a, const SurfacePatch& b) { return a.time < b.time; };
   const float last = std::max_element(patches.begin(), patches.end(), earlier)->time;
   if (last == 0) return patches;  // no times
-  const ScanMotion motion(velocity, reference_time, last);
+  const ScanMotion motion(velocity, reference_time, last, tremor);
   for (SurfacePatch& patch : patches) {
     const Pose T = motion.at(patch.time);
     patch.mean = T * patch.mean;

@@ -6,6 +6,7 @@
 
 #include <tilth/registration/align_moving.hpp>
 #include <tilth/registration/moving_system.hpp>
+#include <tilth/registration/tremor.hpp>
 
 namespace tilth {
 namespace {
@@ -64,15 +65,19 @@ Matrix6d trusted_part(const PatchPairs& pairs, const Pose& T_map_lidar, const Al
 }
 
 // Along directions that the pairs hardly determine, slightly wrong normals and rings, which travel with the sensor, say
-// more than the surfaces do. There, in what `keep` does not keep, the motion goes on as it was in the last second.
-void steady_weak_directions(const MotionPrior& prior, const AlignMovingOptions& options, const Matrix6d& keep,
-                            const MotionState& state, MovingSystem& system) {
-  if (keep.isIdentity(0)) return;
+// more than the surfaces do. There, in what `keep` does not keep, the pairs are not heard ...
+void keep_only(const Matrix6d& keep, MovingParts& parts) {
   Matrix12d keep_both = Matrix12d::Zero();
   keep_both.topLeftCorner<6, 6>() = keep_both.bottomRightCorner<6, 6>() = keep;
-  system.H = keep_both.transpose() * system.H * keep_both;
-  system.b = keep_both.transpose() * system.b;
+  for (MovingSystem& part : parts) {
+    part.H = keep_both.transpose() * part.H * keep_both;
+    part.b = keep_both.transpose() * part.b;
+  }
+}
 
+// ... and the motion goes on as it was in the last second.
+void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& options, const Matrix6d& keep,
+                      const MotionState& state, MovingSystem& system) {
   const Matrix6d lost = Matrix6d::Identity() - keep;
   const double change = prior.interval * options.steady_acceleration, shift = 0.5 * prior.interval * change;
   const Pose T_map_steady = retract(prior.T_map_last, prior.steady_velocity * prior.interval);
@@ -85,6 +90,24 @@ void steady_weak_directions(const MotionPrior& prior, const AlignMovingOptions& 
   add(6, change, state.velocity - prior.steady_velocity);
 }
 
+// A step of pose and velocity, and of the tremor where there may be one.
+bool solve(const MovingSystem& system, const MovingParts& parts, const TremorSpread& spread, MotionState& state,
+           Vector12d& step) {
+  if (spread.none()) {
+    const Eigen::LDLT<Matrix12d> factor(system.H);
+    step = factor.solve(-system.b);
+    return factor.info() == Eigen::Success && step.allFinite();
+  }
+  const TremblingSystem trembling = trembling_system(parts, system, spread, state);
+  return step_trembling(trembling, step, state.tremor);
+}
+
+TremorEvidence faded_sum(const MotionPrior& prior, const TremorEvidence& fresh) {
+  constexpr double kMemory = 2.0;  // [s]
+  const double old = std::exp(-prior.interval / kMemory);
+  return {old * prior.tremor.squares + fresh.squares, old * prior.tremor.freedom + fresh.freedom};
+}
+
 }  // namespace
 
 MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
@@ -95,27 +118,38 @@ MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
   constexpr double kMemory = 1.0;  // [s] of the steady velocity
   const double fresh = prior.known ? 1 - std::exp(-prior.interval / kMemory) : 1.0;
   const Vector6d steady = prior.steady_velocity + fresh * (motion - prior.steady_velocity);
-  return {T_map_last, alignment.velocity, motion, steady, 0.0, prior.known || known};
+  return {T_map_last,          alignment.velocity, motion, steady, 0.0, faded_sum(prior, alignment.evidence),
+          prior.known || known};
 }
 
 bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
                  MotionState& state, MovingAlignment& result) {
-  MovingSystem system = linearize(pairs, state);
+  MovingParts parts = linearize(pairs, state);
+  MovingSystem system = sum_of(parts);
   ++result.pose.iterations;
   diagnose(system.pose, options.degeneracy_ratio, result.pose);
   if (pairs.size() < std::size_t(options.min_matches)) return false;
   const bool narrow = state.kernel_width <= options.kernel_width;  // before, pairs are yet to be found
-  if (prior.known && narrow)
-    steady_weak_directions(prior, options, trusted_part(pairs, state.T_map_lidar, options), state, system);
+  if (prior.known && narrow) {
+    const Matrix6d keep = trusted_part(pairs, state.T_map_lidar, options);
+    if (!keep.isIdentity(0)) {
+      keep_only(keep, parts);
+      system = sum_of(parts);
+      add_steady_prior(prior, options, keep, state, system);
+    }
+  }
   if (prior.known) add_pose_prior(prior, options, state, system);
   add_velocity_prior(prior, options, state, system);
-  const Eigen::LDLT<Matrix12d> factor(system.H);
-  const Vector12d step = factor.solve(-system.b);
-  if (factor.info() != Eigen::Success || !step.allFinite()) return false;
+  const bool may_tremble = prior.known && narrow && state.middle > 0;
+  const TremorSpread spread = may_tremble ? tremor_spread(prior.tremor, options) : TremorSpread();
+  Vector12d step;
+  if (!solve(system, parts, spread, state, step)) return false;
   state.T_map_lidar = retract(state.T_map_lidar, step.head<6>());
   state.velocity += step.tail<6>();
   result.pose.converged =
       step.head<3>().norm() < options.rotation_epsilon && step.segment<3>(3).norm() < options.translation_epsilon;
+  if (result.pose.converged && !spread.none())
+    result.evidence = evidence_of(trembling_system(parts, system, spread, state), spread, state.tremor);
   return true;
 }
 

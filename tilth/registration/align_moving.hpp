@@ -8,6 +8,7 @@
 
 #include <tilth/core/options.hpp>
 #include <tilth/core/scan_motion.hpp>
+#include <tilth/core/scan_tremor.hpp>
 #include <tilth/core/surface_patch.hpp>
 #include <tilth/registration/align_result.hpp>
 #include <tilth/registration/association.hpp>
@@ -28,6 +29,8 @@ struct AlignMovingOptions {
   double angular_acceleration = 20.0;
   double velocity_slack = 0.01;
   double velocity_share = 0.1;
+  double tremor_rotation = 7e-4;
+  double tremor_translation = 1e-3;
   double degeneracy_ratio = 3e-3;
   double steady_acceleration = 1.0;
   int min_matches = 20;
@@ -50,6 +53,10 @@ void visit(AlignMovingOptions& o, V&& v) {
   v("velocity_slack", o.velocity_slack, Bounds{1e-6, 1e6},
     "[m/s^2, rad/s^2] by which the velocity in a scan may differ from the motion since the last one");
   v("velocity_share", o.velocity_share, Bounds{0, 10}, "[-] the same as a share of the acceleration seen, in addition");
+  v("tremor_rotation", o.tremor_rotation, Bounds{0, 1},
+    "[rad] greatest standard deviation of the motion in a scan from constant velocity; half of it is the least; 0: "
+    "none");
+  v("tremor_translation", o.tremor_translation, Bounds{0, 1}, "[m] the same along the axes");
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
     "[-] a direction with less information than this share of the best one is degenerate: there the motion goes "
     "on as it was in the last second, and partly so up to 1.5 times the share");
@@ -64,6 +71,7 @@ struct MotionPrior {
   Vector6d last_motion = Vector6d::Zero();      ///< [rad/s, m/s] mean velocity between the last two poses
   Vector6d steady_velocity = Vector6d::Zero();  ///< [rad/s, m/s] mean of about the last second
   double interval = 0.0;                        ///< [s] since the last pose; > 0
+  TremorEvidence tremor = {};                   ///< of about the last two seconds
   bool known = false;                           ///< false: nothing is known of the motion yet, only that it is steady
 };
 
@@ -75,6 +83,8 @@ inline Pose predicted(const MotionPrior& prior) {
 struct MovingAlignment {
   AlignResult pose;                      ///< T_target_source is at `middle`
   Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s] during the scan, in the LiDAR's frame
+  ScanTremor tremor = {};                ///< beside that velocity
+  TremorEvidence evidence = {};          ///< on the spread of tremors
 };
 
 /// What is known after a scan, for the next one; `interval` is still to be set.
@@ -114,6 +124,7 @@ struct MotionState {
   Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s]
   double middle = 0.0;                   ///< [s] since the stamp of the scan
   double kernel_width = 1.0;             ///< [sigma] in force
+  ScanTremor tremor = {};                ///< beside the velocity
 };
 
 struct PatchMatching {
@@ -130,7 +141,7 @@ void associate_patches(const SurfacePatches& patches, const MotionState& state, 
   matching.pairs.clear();
   const double max_squared = options.max_distance * options.max_distance;
   const double renew_squared = options.renew_distance * options.renew_distance;
-  const ScanMotion motion(state.velocity, state.middle, 2 * state.middle);
+  const ScanMotion motion(state.velocity, state.middle, 2 * state.middle, state.tremor);
   const Eigen::Matrix3d R_map_lidar = state.T_map_lidar.linear(), R_lidar_map = R_map_lidar.transpose();
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const SurfacePatch& patch = patches[i];
@@ -182,6 +193,7 @@ MovingAlignment align_moving(const SurfacePatches& patches, double middle, const
   }
   result.pose.T_target_source = state.T_map_lidar;
   result.velocity = state.velocity;
+  result.tremor = state.tremor;
   return result;
 }
 

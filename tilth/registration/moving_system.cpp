@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
@@ -71,19 +73,60 @@ Matrix6d whole(const Triangle& h) {
   return H;
 }
 
-}  // namespace
-
-MovingSystem linearize(const PatchPairs& pairs, const MotionState& state) {
-  const RobustKernel kernel{Kernel::geman_mcclure, state.kernel_width};
+struct PartSums {
   MovingSums sums;
-  for (const FlatPair& pair : pairs.flat) add(pair, kernel, sums);
-  for (const ShapePair& pair : pairs.shapes) add(pair, state.T_map_lidar, kernel, sums);
+  std::size_t matches = 0;
+};
+
+// The part of the scan in which a pair with this lever was seen.
+std::size_t part_of(double lever, double middle) {
+  constexpr int kParts = ScanTremor::kIntervals;
+  const double share = middle > 0 ? 0.5 * (lever / middle + 1) : 0;
+  return std::size_t(std::clamp(int(share * kParts), 0, kParts - 1));
+}
+
+MovingSystem system_of(const PartSums& part) {
+  const MovingSums& sums = part.sums;
   MovingSystem system;
-  system.pose = {whole(sums.H), sums.b, sums.error, sums.squared_range, pairs.size()};
+  system.pose = {whole(sums.H), sums.b, sums.error, sums.squared_range, part.matches};
   const Matrix6d H1 = whole(sums.H1);
   system.H << system.pose.H, H1, H1, whole(sums.H2);
   system.b << sums.b, sums.b1;
   return system;
+}
+
+}  // namespace
+
+MovingParts linearize(const PatchPairs& pairs, const MotionState& state) {
+  const RobustKernel kernel{Kernel::geman_mcclure, state.kernel_width};
+  std::array<PartSums, ScanTremor::kIntervals> sums;
+  for (const FlatPair& pair : pairs.flat) {
+    PartSums& part = sums[part_of(pair.lever, state.middle)];
+    add(pair, kernel, part.sums);
+    ++part.matches;
+  }
+  for (const ShapePair& pair : pairs.shapes) {
+    PartSums& part = sums[part_of(pair.lever, state.middle)];
+    add(pair, state.T_map_lidar, kernel, part.sums);
+    ++part.matches;
+  }
+  MovingParts parts;
+  std::transform(sums.begin(), sums.end(), parts.begin(), system_of);
+  return parts;
+}
+
+MovingSystem sum_of(const MovingParts& parts) {
+  MovingSystem sum;
+  for (const MovingSystem& part : parts) {
+    sum.pose.H += part.pose.H;
+    sum.pose.b += part.pose.b;
+    sum.pose.error += part.pose.error;
+    sum.pose.squared_range += part.pose.squared_range;
+    sum.pose.matches += part.pose.matches;
+    sum.H += part.H;
+    sum.b += part.b;
+  }
+  return sum;
 }
 
 LinearSystem unweighted(const PatchPairs& pairs, const Pose& T_map_lidar) {

@@ -1,6 +1,8 @@
 // The normal equations of a scan in motion: what pairs of patches say about its pose and velocity. O(pairs).
 #pragma once
 
+#include <array>
+
 #include <tilth/registration/align.hpp>
 #include <tilth/registration/align_moving.hpp>
 
@@ -16,8 +18,14 @@ struct MovingSystem {
   Vector12d b = Vector12d::Zero();
 };
 
+/// What each part of a scan says, between two knots of its tremor.
+using MovingParts = std::array<MovingSystem, ScanTremor::kIntervals>;
+
 /// Of `pairs` at `state`, weighted by its Geman-McClure kernel.
-MovingSystem linearize(const PatchPairs& pairs, const MotionState& state);
+MovingParts linearize(const PatchPairs& pairs, const MotionState& state);
+
+/// What the whole scan says.
+MovingSystem sum_of(const MovingParts& parts);
 
 /// H of the pose by `pairs` as if all were right, without a kernel, and their squared range; b and error are left 0.
 LinearSystem unweighted(const PatchPairs& pairs, const Pose& T_map_lidar);

@@ -1,0 +1,141 @@
+// The tremor of a scan: its system against a quadratic cost written out, and its size as the evidence shows it.
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include <tilth/registration/tremor.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr double kMiddle = 0.05;  // [s]
+constexpr int kKnots = ScanTremor::kIntervals + 1;
+const TremorSpread kSpread{2e-3, 1e-3};
+
+/// Pairs of flat patches all around, whose residuals are those of a LiDAR that deviates by `tremor`, and of noise [m].
+PatchPairs pairs_of(const ScanTremor& tremor, double noise, std::uint32_t seed) {
+  std::mt19937 rng(seed);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::normal_distribution<double> error(0, noise);
+  PatchPairs pairs;
+  for (int i = 0; i < 3000; ++i) {
+    const double x = u(rng), y = u(rng), z = u(rng), a = u(rng), b = u(rng), c = u(rng), lever = kMiddle * u(rng);
+    const Eigen::Vector3d point = 8 * Eigen::Vector3d(x, y, z), normal = Eigen::Vector3d(a, b, c).normalized();
+    const Vector6d moved = tremor.at(0.5 + 0.5 * lever / kMiddle);
+    const Eigen::Vector3d shift = moved.head<3>().cross(point) + moved.tail<3>();
+    pairs.flat.push_back({point, normal, error(rng) - normal.dot(shift), 1e5, lever});
+  }
+  return pairs;
+}
+
+ScanTremor some_tremor(double rotation, double translation, std::mt19937& rng) {
+  std::normal_distribution<double> n(0, 1);
+  ScanTremor tremor;
+  for (Vector6d& knot : tremor.knots) {
+    for (int i = 0; i < 6; ++i) knot[i] = (i < 3 ? rotation : translation) * n(rng);
+  }
+  return tremor;
+}
+
+MotionState state_at_rest() {
+  MotionState state;
+  state.middle = kMiddle;
+  state.kernel_width = 1e6;
+  return state;
+}
+
+MovingSystem with_weak_prior(MovingSystem system) {
+  system.H.diagonal().array() += 1e5;
+  return system;
+}
+
+TEST(Tremor, TheSystemIsThatOfTheQuadraticCost) {
+  std::mt19937 rng(1);
+  const PatchPairs pairs = pairs_of(some_tremor(3e-3, 3e-3, rng), 0.01, 2);
+  const MovingParts parts = linearize(pairs, state_at_rest());
+  const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), kSpread, state_at_rest());
+
+  // 1/2 x^T H x + b^T x must be the cost of any step x, less that of none
+  const auto cost = [&](const Eigen::VectorXd& x) {
+    ScanTremor tremor;
+    double sum = 0.5 * 1e5 * x.head<12>().squaredNorm();
+    for (int k = 0; k < kKnots; ++k) {
+      tremor.knots[std::size_t(k)] = x.segment<6>(12 + 6 * k);
+      sum += 0.5 * x.segment<3>(12 + 6 * k).squaredNorm() / (kSpread.rotation * kSpread.rotation) +
+             0.5 * x.segment<3>(15 + 6 * k).squaredNorm() / (kSpread.translation * kSpread.translation);
+    }
+    for (const FlatPair& pair : pairs.flat) {
+      const Vector6d moved = x.head<6>() + pair.lever * x.segment<6>(6) + tremor.at(0.5 + 0.5 * pair.lever / kMiddle);
+      const Eigen::Vector3d shift = moved.head<3>().cross(pair.point) + moved.tail<3>();
+      sum += 0.5 * pair.information * std::pow(pair.residual + pair.normal.dot(shift), 2);
+    }
+    return sum;
+  };
+  const double at_none = cost(Eigen::VectorXd::Zero(TremblingSystem::kSize));
+  std::normal_distribution<double> n(0, 3e-3);
+  for (int i = 0; i < 20; ++i) {
+    Eigen::VectorXd x(TremblingSystem::kSize);
+    for (double& value : x) value = n(rng);
+    const double expected = cost(x) - at_none;
+    EXPECT_NEAR(0.5 * x.dot(system.H * x) + system.b.dot(x), expected, 1e-6 * std::abs(expected));
+  }
+}
+
+TEST(Tremor, IsFoundWhereTheSurfacesShowIt) {
+  std::mt19937 rng(3);
+  const ScanTremor truth = some_tremor(2e-3, 1e-3, rng);
+  const MotionState state = state_at_rest();
+  const MovingParts parts = linearize(pairs_of(truth, 0.003, 4), state);
+  Vector12d step;
+  ScanTremor found;
+  ASSERT_TRUE(step_trembling(trembling_system(parts, sum_of(parts), kSpread, state), step, found));
+  for (int k = 0; k < kKnots; ++k) {
+    const double lever = kMiddle * (2.0 * k / ScanTremor::kIntervals - 1);
+    const Vector6d motion = step.head<6>() + lever * step.tail<6>() + found.knots[std::size_t(k)];
+    EXPECT_LT((motion - truth.knots[std::size_t(k)]).head<3>().norm(), 4e-4) << k;
+    EXPECT_LT((motion - truth.knots[std::size_t(k)]).tail<3>().norm(), 1e-3) << k;
+  }
+}
+
+TEST(Tremor, ItsSizeFollowsFromWhatScansShow) {
+  AlignMovingOptions options;
+  options.tremor_rotation = 5e-3, options.tremor_translation = 4e-3;
+  for (const double rotation : {0.0, 3.5e-3}) {
+    std::mt19937 rng(5);
+    TremorEvidence evidence;
+    for (std::uint32_t scan = 0; scan < 10; ++scan) {
+      const MotionState state = state_at_rest();
+      const MovingParts parts = linearize(pairs_of(some_tremor(rotation, 0, rng), 0.003, scan), state);
+      const TremorSpread spread = tremor_spread(evidence, options);
+      const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), spread, state);
+      Vector12d step;
+      ScanTremor found;
+      ASSERT_TRUE(step_trembling(system, step, found));
+      const TremorEvidence fresh = evidence_of(system, spread, found);
+      evidence = {evidence.squares + fresh.squares, evidence.freedom + fresh.freedom};
+    }
+    const TremorSpread spread = tremor_spread(evidence, options);
+    EXPECT_NEAR(spread.rotation, std::max(rotation, 2.5e-3), 6e-4) << "half of the greatest is the least";
+    EXPECT_NEAR(spread.translation, 2e-3, 1e-9);
+  }
+}
+
+TEST(Tremor, NoneWhereTheOptionsAllowNone) {
+  AlignMovingOptions options;
+  EXPECT_FALSE(tremor_spread({}, options).none());
+  options.tremor_rotation = 0;
+  EXPECT_TRUE(tremor_spread({}, options).none());
+}
+
+TEST(ScanTremor, IsLinearBetweenItsKnotsAndStaysAtItsEnds) {
+  ScanTremor tremor;
+  for (int k = 0; k < kKnots; ++k) tremor.knots[std::size_t(k)] = Vector6d::Constant(k * k);
+  EXPECT_EQ(tremor.at(0)[0], 0);
+  EXPECT_EQ(tremor.at(1)[0], 64);
+  EXPECT_EQ(tremor.at(-1)[0], 0);
+  EXPECT_EQ(tremor.at(2)[0], 64);
+  EXPECT_DOUBLE_EQ(tremor.at(2.5 / 8)[0], 6.5);
+}
+
+}  // namespace
+}  // namespace tilth

@@ -1,0 +1,34 @@
+// How the LiDAR's motion within a scan deviates from constant velocity.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include <tilth/core/se3.hpp>
+
+namespace tilth {
+
+/// [rad, m] in the frame of the scan's reference time, at regular instants from its beginning to its end; linear in
+/// between.
+struct ScanTremor {
+  static constexpr int kIntervals = 8;
+  std::array<Vector6d, kIntervals + 1> knots;
+
+  ScanTremor() { knots.fill(Vector6d::Zero()); }
+
+  /// `share` of the scan that is over, 0 to 1.
+  Vector6d at(double share) const {
+    const double place = std::clamp(share, 0.0, 1.0) * kIntervals;
+    const auto i = std::size_t(std::min(place, double(kIntervals - 1)));
+    return knots[i] + (place - double(i)) * (knots[i + 1] - knots[i]);
+  }
+};
+
+/// What scans tell about the size of their tremor, rotation first: sums of squares [rad^2, m^2] of the deviations, and
+/// how many of these the scans determine.
+struct TremorEvidence {
+  Eigen::Vector2d squares = Eigen::Vector2d::Zero();
+  Eigen::Vector2d freedom = Eigen::Vector2d::Zero();
+};
+
+}  // namespace tilth

@@ -1,0 +1,87 @@
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include <Eigen/Cholesky>
+
+#include <tilth/registration/tremor.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr int kIntervals = ScanTremor::kIntervals;
+
+constexpr int place_of(int knot) {
+  return 12 + 6 * knot;
+}
+
+// The tremor at a lever l within a part of the scan is A + l B, of [A; B] = M [first knot; second knot].
+Matrix12d line_through(double begin, double end) {
+  const double width = end - begin;
+  const Matrix6d I = Matrix6d::Identity();
+  Matrix12d M;
+  M << end / width * I, -begin / width * I, -1 / width * I, 1 / width * I;
+  return M;
+}
+
+}  // namespace
+
+TremorSpread tremor_spread(const TremorEvidence& evidence, const AlignMovingOptions& options) {
+  constexpr double kDoubt = 20, kLeastShare = 0.5;  // deviations that speak for the least spread; that of the greatest
+  const auto spread = [&](int i, double most) {
+    const double least = kLeastShare * most;
+    const double seen = std::sqrt((evidence.squares[i] + kDoubt * least * least) / (evidence.freedom[i] + kDoubt));
+    return std::clamp(seen, least, most);
+  };
+  return {spread(0, options.tremor_rotation), spread(1, options.tremor_translation)};
+}
+
+TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& smooth, const TremorSpread& spread,
+                                 const MotionState& state) {
+  TremblingSystem system;
+  system.H.topLeftCorner<12, 12>() = smooth.H;
+  system.b.head<12>() = smooth.b;
+  const double width = 2 * state.middle / kIntervals;
+  for (int i = 0; i < kIntervals; ++i) {
+    const MovingSystem& part = parts[std::size_t(i)];
+    const Matrix12d M = line_through(i * width - state.middle, (i + 1) * width - state.middle), HM = part.H * M;
+    const int at = place_of(i);
+    system.H.block<12, 12>(at, at) += M.transpose() * HM;
+    system.H.block<12, 12>(0, at) += HM;
+    system.H.block<12, 12>(at, 0) += HM.transpose();
+    system.b.segment<12>(at) += M.transpose() * part.b;
+  }
+  Vector6d weights;
+  weights << Eigen::Vector3d::Constant(1 / (spread.rotation * spread.rotation)),
+      Eigen::Vector3d::Constant(1 / (spread.translation * spread.translation));
+  for (int i = 0; i <= kIntervals; ++i) {
+    system.H.block<6, 6>(place_of(i), place_of(i)) += weights.asDiagonal();
+    system.b.segment<6>(place_of(i)) += weights.cwiseProduct(state.tremor.knots[std::size_t(i)]);
+  }
+  return system;
+}
+
+bool step_trembling(const TremblingSystem& system, Vector12d& step, ScanTremor& tremor) {
+  const Eigen::LDLT<std::remove_cvref_t<decltype(system.H)>> factor(system.H);
+  const std::remove_cvref_t<decltype(system.b)> change = factor.solve(-system.b);
+  if (factor.info() != Eigen::Success || !change.allFinite()) return false;
+  step = change.head<12>();
+  for (int i = 0; i <= kIntervals; ++i) tremor.knots[std::size_t(i)] += change.segment<6>(place_of(i));
+  return true;
+}
+
+TremorEvidence evidence_of(const TremblingSystem& system, const TremorSpread& spread, const ScanTremor& tremor) {
+  const std::remove_cvref_t<decltype(system.H)> covariance =
+      system.H.ldlt().solve(std::remove_cvref_t<decltype(system.H)>::Identity());
+  TremorEvidence evidence;
+  for (int i = 0; i <= kIntervals; ++i) {
+    const Vector6d& knot = tremor.knots[std::size_t(i)];
+    const Vector6d variances = covariance.diagonal().segment<6>(place_of(i));
+    evidence.squares += Eigen::Vector2d(knot.head<3>().squaredNorm(), knot.tail<3>().squaredNorm());
+    evidence.freedom += Eigen::Vector2d(3 - variances.head<3>().sum() / (spread.rotation * spread.rotation),
+                                        3 - variances.tail<3>().sum() / (spread.translation * spread.translation));
+  }
+  return evidence;
+}
+
+}  // namespace tilth

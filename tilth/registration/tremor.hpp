@@ -1,0 +1,41 @@
+// The tremor of a scan, estimated together with its pose and velocity: deviations from constant velocity at nine
+// instants, as large as the last scans have shown them to be (empirical Bayes, after MacKay 1992). A robot that rolls
+// smoothly has next to none, a shaking cart tenths of a degree.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <tilth/registration/moving_system.hpp>
+
+namespace tilth {
+
+/// Standard deviations of the tremor about and along each axis.
+struct TremorSpread {
+  double rotation = 0.0;     ///< [rad]
+  double translation = 0.0;  ///< [m]
+
+  bool none() const { return rotation == 0.0 || translation == 0.0; }
+};
+
+/// As the last scans have shown it, within the bounds of the options.
+TremorSpread tremor_spread(const TremorEvidence& evidence, const AlignMovingOptions& options);
+
+/// Pose, velocity and tremor of one linearisation: H x = -b.
+struct TremblingSystem {
+  static constexpr int kSize = 12 + 6 * (ScanTremor::kIntervals + 1);
+
+  Eigen::Matrix<double, kSize, kSize> H = Eigen::Matrix<double, kSize, kSize>::Zero();
+  Eigen::Matrix<double, kSize, 1> b = Eigen::Matrix<double, kSize, 1>::Zero();
+};
+
+/// Of the `parts` of a scan at `state`, whose pose and velocity, with their priors, are `smooth`.
+TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& smooth, const TremorSpread& spread,
+                                 const MotionState& state);
+
+/// Moves `tremor` and gives the step of pose and velocity; false where there is no solution.
+bool step_trembling(const TremblingSystem& system, Vector12d& step, ScanTremor& tremor);
+
+/// What a tremor, estimated by this system, tells about the spread.
+TremorEvidence evidence_of(const TremblingSystem& system, const TremorSpread& spread, const ScanTremor& tremor);
+
+}  // namespace tilth
