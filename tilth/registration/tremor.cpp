@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
 #include <Eigen/Cholesky>
 
@@ -62,8 +61,8 @@ TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& s
 }
 
 bool step_trembling(const TremblingSystem& system, Vector12d& step, ScanTremor& tremor) {
-  const Eigen::LDLT<std::remove_cvref_t<decltype(system.H)>> factor(system.H);
-  const std::remove_cvref_t<decltype(system.b)> change = factor.solve(-system.b);
+  const Eigen::LLT<TremblingSystem::Matrix> factor(system.H);
+  const TremblingSystem::Vector change = factor.solve(-system.b);
   if (factor.info() != Eigen::Success || !change.allFinite()) return false;
   step = change.head<12>();
   for (int i = 0; i <= kIntervals; ++i) tremor.knots[std::size_t(i)] += change.segment<6>(place_of(i));
@@ -71,12 +70,13 @@ bool step_trembling(const TremblingSystem& system, Vector12d& step, ScanTremor& 
 }
 
 TremorEvidence evidence_of(const TremblingSystem& system, const TremorSpread& spread, const ScanTremor& tremor) {
-  const std::remove_cvref_t<decltype(system.H)> covariance =
-      system.H.ldlt().solve(std::remove_cvref_t<decltype(system.H)>::Identity());
+  const Eigen::LLT<TremblingSystem::Matrix> factor(system.H);  // H^-1 = L^-T L^-1
+  const TremblingSystem::Matrix L_inverse = factor.matrixL().solve(TremblingSystem::Matrix::Identity());
+  const TremblingSystem::Vector all_variances = L_inverse.colwise().squaredNorm();
   TremorEvidence evidence;
   for (int i = 0; i <= kIntervals; ++i) {
     const Vector6d& knot = tremor.knots[std::size_t(i)];
-    const Vector6d variances = covariance.diagonal().segment<6>(place_of(i));
+    const Vector6d variances = all_variances.segment<6>(place_of(i));
     evidence.squares += Eigen::Vector2d(knot.head<3>().squaredNorm(), knot.tail<3>().squaredNorm());
     evidence.freedom += Eigen::Vector2d(3 - variances.head<3>().sum() / (spread.rotation * spread.rotation),
                                         3 - variances.tail<3>().sum() / (spread.translation * spread.translation));

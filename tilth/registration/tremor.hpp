@@ -24,8 +24,11 @@ TremorSpread tremor_spread(const TremorEvidence& evidence, const AlignMovingOpti
 struct TremblingSystem {
   static constexpr int kSize = 12 + 6 * (ScanTremor::kIntervals + 1);
 
-  Eigen::Matrix<double, kSize, kSize> H = Eigen::Matrix<double, kSize, kSize>::Zero();
-  Eigen::Matrix<double, kSize, 1> b = Eigen::Matrix<double, kSize, 1>::Zero();
+  using Matrix = Eigen::Matrix<double, kSize, kSize>;
+  using Vector = Eigen::Matrix<double, kSize, 1>;
+
+  Matrix H = Matrix::Zero();
+  Vector b = Vector::Zero();
 };
 
 /// Of the `parts` of a scan at `state`, whose pose and velocity, with their priors, are `smooth`.
