@@ -186,5 +186,12 @@ TEST_F(Simulate, RefusesWhatIsNoWorld) {
   EXPECT_FALSE(fs::exists(folder_ / "out"));
 }
 
+// Derived times would bend scans that were taken at once: 0.27 m instead of 1 mm in the plaza.
+TEST_F(Simulate, ASnapshotIsReadBackAsOne) {
+  ASSERT_EQ(simulate("corridor", {"--snapshot", "--set", "columns=300", "duration=1", "--quiet"}).exit_code, 0);
+  const Outcome info = tilth({"info", path("out")});
+  EXPECT_NE(info.out.find("scans are snapshots, no point times"), std::string::npos) << info.out;
+}
+
 }  // namespace
 }  // namespace tilth::app

@@ -116,7 +116,7 @@ void append_point(LabelledScan& out, const Setting& s, const Beam& beam, const E
   out.scan.cloud.points.push_back(beam.origin + range * beam.direction);
   out.scan.cloud.intensities.push_back(float(std::round(echo.intensity)));
   out.scan.cloud.rings.push_back(std::uint16_t(beam.ring));
-  if (!s.options.snapshot) out.scan.cloud.times.push_back(float(beam.time));
+  out.scan.cloud.times.push_back(s.options.snapshot ? 0.0F : float(beam.time));
   const bool on_edge = echo.edge_distance <= kEdgeReach;
   out.labels.push_back(std::uint8_t(std::uint8_t(echo.kind) | (on_edge ? kEdgeBit : 0)));
 }
