@@ -7,7 +7,6 @@
 
 #include "file_lock.hpp"
 #include <tilth/output/output_folder.hpp>
-#include <tilth/output/run_record.hpp>
 
 namespace tilth::app {
 
@@ -26,10 +25,5 @@ class LockedFolder {
 
   FileLock lock_;
 };
-
-/// Opens run.mcap where it is asked for, so that scans can go into it. Throws Error where that fails.
-inline void begin_mcap(const std::filesystem::path& folder, RunRecord& record) {
-  if (record.output.mcap) record.mcap = std::make_shared<RunMcap>(folder / "run.mcap", record.output.mcap_points);
-}
 
 }  // namespace tilth::app

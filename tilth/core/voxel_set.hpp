@@ -39,10 +39,10 @@ class VoxelSet {
   }
 
  private:
-  static constexpr int kEdge = 8;
+  static constexpr int kEdgeBits = 3, kEdge = 1 << kEdgeBits;  // of a block, in voxels
 
   static Eigen::Vector3i block_of(const Eigen::Vector3i& voxel) {
-    return {voxel.x() >> 3, voxel.y() >> 3, voxel.z() >> 3};  // rounds down, below zero too
+    return voxel.unaryExpr([](int place) { return place >> kEdgeBits; });  // rounds down, below zero too
   }
 
   static inline const Eigen::Vector3i kNowhere = Eigen::Vector3i::Constant(kReach);

@@ -10,6 +10,12 @@
 
 namespace tilth {
 
+/// The voxel that holds a point, given in units of the voxels' edge: rounds down, below zero too.
+inline Eigen::Vector3i voxel_of(const Eigen::Vector3d& point_in_voxels) {
+  const Eigen::Vector3i towards_zero = point_in_voxels.cast<int>();
+  return towards_zero - (point_in_voxels.array() < towards_zero.cast<double>().array()).cast<int>().matrix();
+}
+
 /// What a voxel key grows by from a voxel to the next one along an axis.
 constexpr std::int64_t voxel_key_step(int axis) {
   return std::int64_t{1} << (43 - 20 * axis);

@@ -28,11 +28,6 @@ int facing(const Eigen::Vector3d& normal, bool flat) {
   return 2 * axis + (normal[axis] > 0);
 }
 
-Eigen::Vector3i voxel_of(const Eigen::Vector3d& point_in_voxels) {
-  const Eigen::Vector3i towards_zero = point_in_voxels.cast<int>();
-  return towards_zero - (point_in_voxels.array() < towards_zero.cast<double>().array()).cast<int>().matrix();
-}
-
 }  // namespace
 
 void PatchMap::insert(const SurfacePatches& patches, const Pose& T_map_lidar) {

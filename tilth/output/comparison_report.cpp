@@ -43,36 +43,39 @@ Plot errors_of(const std::vector<MethodSummary>& entries, const std::string& num
   return plot;
 }
 
+/// A group of bars for each method: `figures` of it, one for each of the `curves`.
+template <class Figures>
+Plot bars_of(const std::vector<MethodSummary>& entries, Plot plot, const Figures& figures) {
+  plot.kind = PlotKind::bars;
+  for (const MethodSummary& entry : entries) {
+    if (entry.judged == 0) continue;
+    plot.categories.push_back(entry.method);
+    const auto values = figures(entry);
+    for (std::size_t i = 0; i < values.size(); ++i) plot.curves[i].y.push_back(float(values[i]));
+  }
+  return plot;
+}
+
 Plot statistics_of(const std::vector<MethodSummary>& entries, const std::string& number) {
   Plot plot;
   plot.id = "ape_bars_" + number;
   plot.title = "Statistics of the errors";
-  plot.kind = PlotKind::bars;
   plot.y = {"APE", "m"};
   plot.curves = {{"median", {}, {}, {}}, {"mean", {}, {}, {}}, {"RMSE", {}, {}, {}}, {"max", {}, {}, {}}};
-  for (const MethodSummary& entry : entries) {
-    if (entry.judged == 0) continue;
-    plot.categories.push_back(entry.method);
-    const std::array<double, 4> values{entry.ape.median, entry.ape.mean, entry.ape.rmse, entry.ape.max};
-    for (std::size_t i = 0; i < values.size(); ++i) plot.curves[i].y.push_back(float(values[i]));
-  }
-  return plot;
+  return bars_of(entries, plot, [](const MethodSummary& entry) {
+    return std::array{entry.ape.median, entry.ape.mean, entry.ape.rmse, entry.ape.max};
+  });
 }
 
 Plot times_of(const std::vector<MethodSummary>& entries, const std::string& number) {
   Plot plot;
   plot.id = "cpu_" + number;
   plot.title = "CPU time a scan";
-  plot.kind = PlotKind::bars;
   plot.y = {"CPU time", "ms"};
   plot.curves = {{"mean", {}, {}, {}}, {"99th percentile", {}, {}, {}}};
-  for (const MethodSummary& entry : entries) {
-    if (entry.judged == 0) continue;
-    plot.categories.push_back(entry.method);
-    plot.curves[0].y.push_back(float(entry.mean.cpu_ms));
-    plot.curves[1].y.push_back(float(entry.mean.cpu_ms_p99));
-  }
-  return plot;
+  return bars_of(entries, plot, [](const MethodSummary& entry) {
+    return std::array{entry.mean.cpu_ms, entry.mean.cpu_ms_p99};
+  });
 }
 
 Section section_of(const std::vector<MethodSummary>& entries, const std::string& number) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 
 #include <tilth/core/scan_motion.hpp>
@@ -12,9 +11,7 @@ namespace {
 /// Adds the voxel of the point; false where it was there before, or where it lies outside what the set can hold.
 bool take(VoxelSet& voxels, const MapPoint& point, double voxel) {
   const Eigen::Vector3d place = Eigen::Vector3d(point.x, point.y, point.z) * (1 / voxel);
-  if (!(place.cwiseAbs().maxCoeff() < VoxelSet::kReach)) return false;
-  const Eigen::Vector3i towards_zero = place.cast<int>();
-  return voxels.insert(towards_zero - (place.array() < towards_zero.cast<double>().array()).cast<int>().matrix());
+  return place.cwiseAbs().maxCoeff() < VoxelSet::kReach && voxels.insert(voxel_of(place));
 }
 
 }  // namespace

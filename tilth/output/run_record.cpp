@@ -63,6 +63,10 @@ std::vector<RunFile> files_of(const OutputOptions& options, bool loop_closure) {
 
 }  // namespace
 
+void begin_mcap(const std::filesystem::path& folder, RunRecord& record) {
+  if (record.output.mcap) record.mcap = std::make_shared<RunMcap>(folder / "run.mcap", record.output.mcap_points);
+}
+
 std::vector<std::string> run_files(const OutputOptions& options, bool loop_closure) {
   std::vector<std::string> names;
   for (const RunFile& file : files_of(options, loop_closure)) names.push_back(file.name);

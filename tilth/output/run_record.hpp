@@ -55,6 +55,9 @@ struct RunRecord {
   double peak_megabytes = 0.0;           ///< [MB] resident
 };
 
+/// Opens run.mcap in `folder` where it is asked for, so that scans can go into it. Throws Error where that fails.
+void begin_mcap(const std::filesystem::path& folder, RunRecord& record);
+
 /// The names of the files that write_run makes of a run, with loop closure or without. Throws Error as map_formats.
 std::vector<std::string> run_files(const OutputOptions& options, bool loop_closure);
 

@@ -1,8 +1,8 @@
 // The report of a sweep, from its table: a curve a source over each parameter, heat maps over two.
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 
+#include <tilth/io/text_lines.hpp>
 #include <tilth/output/report.hpp>
 #include <tilth/output/sweep.hpp>
 
@@ -43,20 +43,15 @@ std::string held_value(const Sweep& sweep, const FigureTable& table, std::size_t
 
 /// The rows in which all parameters but `parameter` are held.
 std::vector<Row> rows_alone(const Sweep& sweep, const FigureTable& table, std::size_t parameter) {
+  std::vector<std::string> held;
+  for (std::size_t p = 0; p < sweep.parameters.size(); ++p) held.push_back(held_value(sweep, table, p));
   std::vector<Row> rows;
   for (const Row& row : table.rows) {
-    bool held = true;
-    for (std::size_t p = 0; p < sweep.parameters.size(); ++p)
-      held = held && (p == parameter || row[1 + p].word == held_value(sweep, table, p));
-    if (held) rows.push_back(row);
+    bool alone = true;
+    for (std::size_t p = 0; p < held.size(); ++p) alone = alone && (p == parameter || row[1 + p].word == held[p]);
+    if (alone) rows.push_back(row);
   }
   return rows;
-}
-
-std::optional<double> number_of(const std::string& word) {
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  return end == word.c_str() + word.size() && !word.empty() ? std::optional(value) : std::nullopt;
 }
 
 /// A figure of each source over a parameter: by its values where all are numbers, else side by side.
@@ -68,7 +63,8 @@ Plot plot_over(const FigureTable& table, const std::vector<Row>& rows, std::size
   plot.x = {table.columns[at].title, ""};
   plot.y = {table.columns[column].title, ""};
   const std::vector<std::string> values = distinct({"", {}, rows, {}}, at);
-  const bool numbers = std::all_of(values.begin(), values.end(), [](const auto& word) { return number_of(word); });
+  const bool numbers =
+      std::all_of(values.begin(), values.end(), [](const auto& word) { return to_double(word).has_value(); });
   plot.kind = numbers ? PlotKind::lines : PlotKind::bars;
   if (!numbers) plot.categories = values;
   for (const std::string& source : distinct(table, 0)) {
@@ -76,10 +72,13 @@ Plot plot_over(const FigureTable& table, const std::vector<Row>& rows, std::size
     for (const Row& row : rows) {
       if (row[0].word != source || !row[column].number) continue;
       const auto place = std::size_t(std::find(values.begin(), values.end(), row[at].word) - values.begin());
-      if (!numbers) curve.y[place] = float(*row[column].number);
-      if (!numbers) continue;
-      curve.x.push_back(float(*number_of(row[at].word)));
-      curve.y.push_back(float(*row[column].number));
+      const auto figure = float(*row[column].number);
+      if (numbers) {
+        curve.x.push_back(float(*to_double(row[at].word)));
+        curve.y.push_back(figure);
+      } else {
+        curve.y[place] = figure;
+      }
     }
     plot.curves.push_back(std::move(curve));
   }

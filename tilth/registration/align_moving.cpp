@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -90,16 +91,10 @@ void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& option
   add(6, change, state.velocity - prior.steady_velocity);
 }
 
-// A step of pose and velocity, and of the tremor where there may be one.
-bool solve(const MovingSystem& system, const MovingParts& parts, const TremorSpread& spread, MotionState& state,
-           Vector12d& step) {
-  if (spread.none()) {
-    const Eigen::LDLT<Matrix12d> factor(system.H);
-    step = factor.solve(-system.b);
-    return factor.info() == Eigen::Success && step.allFinite();
-  }
-  const TremblingSystem trembling = trembling_system(parts, system, spread, state);
-  return step_trembling(trembling, step, state.tremor);
+bool step_steady(const MovingSystem& system, Vector12d& step) {
+  const Eigen::LDLT<Matrix12d> factor(system.H);
+  step = factor.solve(-system.b);
+  return factor.info() == Eigen::Success && step.allFinite();
 }
 
 TremorEvidence faded_sum(const MotionPrior& prior, const TremorEvidence& fresh) {
@@ -142,14 +137,15 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   add_velocity_prior(prior, options, state, system);
   const bool may_tremble = prior.known && narrow && state.middle > 0;
   const TremorSpread spread = may_tremble ? tremor_spread(prior.tremor, options) : TremorSpread();
+  std::optional<TremblingSystem> trembling;
+  if (!spread.none()) trembling = trembling_system(parts, system, spread, state);
   Vector12d step;
-  if (!solve(system, parts, spread, state, step)) return false;
+  if (!(trembling ? step_trembling(*trembling, step, state.tremor) : step_steady(system, step))) return false;
   state.T_map_lidar = retract(state.T_map_lidar, step.head<6>());
   state.velocity += step.tail<6>();
   result.pose.converged =
       step.head<3>().norm() < options.rotation_epsilon && step.segment<3>(3).norm() < options.translation_epsilon;
-  if (result.pose.converged && !spread.none())
-    result.evidence = evidence_of(trembling_system(parts, system, spread, state), spread, state.tremor);
+  if (result.pose.converged && trembling) result.evidence = evidence_of(*trembling, spread, state.tremor);
   return true;
 }
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <type_traits>
 #include <vector>
 
 #include <tilth/core/options.hpp>
@@ -136,7 +135,6 @@ struct PatchMatching {
 template <SurfaceLookup Lookup>
 void associate_patches(const SurfacePatches& patches, const MotionState& state, const Lookup& target,
                        const AlignMovingOptions& options, PatchMatching& matching) {
-  using Surface = std::remove_pointer_t<decltype(target(patches[0].mean, patches[0].normal, true))>;
   matching.matches.resize(patches.size());
   matching.pairs.clear();
   const double max_squared = options.max_distance * options.max_distance;
@@ -148,10 +146,8 @@ void associate_patches(const SurfacePatches& patches, const MotionState& state, 
     const double lever = double(patch.time) - state.middle;
     const Eigen::Vector3d point = motion.move(patch.mean, patch.time), point_in_map = state.T_map_lidar * point;
     const Eigen::Matrix3d& R_lidar_patch = motion.rotation(patch.time);
-    SurfaceMatch& match = matching.matches[i];
-    if ((point_in_map - match.point_in_target).squaredNorm() > renew_squared)
-      match = {target(point_in_map, R_map_lidar * (R_lidar_patch * patch.normal), patch.flat), point_in_map};
-    const auto* surface = static_cast<Surface*>(match.surface);
+    const auto look_up = [&] { return target(point_in_map, R_map_lidar * (R_lidar_patch * patch.normal), patch.flat); };
+    const auto* surface = surface_at(point_in_map, renew_squared, matching.matches[i], look_up);
     if (surface == nullptr) continue;
     const Eigen::Vector3d offset = point_in_map - surface->mean;
     if (offset.squaredNorm() > max_squared) continue;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concepts>
-#include <type_traits>
 #include <vector>
 
 #include <tilth/core/options.hpp>
@@ -41,6 +40,14 @@ struct SurfaceMatch {
   Eigen::Vector3d point_in_target = Eigen::Vector3d::Constant(1e300);
 };
 
+/// The surface of a patch that now lies at `point`: of `match`, unless it has moved farther than the root of
+/// `renew_squared`; then look_up() gives the new one.
+template <class LookUp>
+auto surface_at(const Eigen::Vector3d& point, double renew_squared, SurfaceMatch& match, const LookUp& look_up) {
+  if ((point - match.point_in_target).squaredNorm() > renew_squared) match = {look_up(), point};
+  return static_cast<decltype(look_up())>(match.surface);
+}
+
 /// Patches, and what they were matched with in the iteration before: nothing at first.
 struct MatchedPatches {
   SurfacePatches patches;
@@ -53,17 +60,14 @@ template <SurfaceLookup Lookup, class Add>
 void for_each_match(MatchedPatches& source, const Pose& T, const Lookup& target, const AssociationOptions& options,
                     const Add& add) {
   auto& [patches, matches] = source;
-  using Surface = std::remove_pointer_t<decltype(target(patches[0].mean, patches[0].normal, true))>;
   const double max_squared = options.max_distance * options.max_distance;
   const double renew_squared = options.renew_distance * options.renew_distance;
   matches.resize(patches.size());
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const SurfacePatch& patch = patches[i];
     const Eigen::Vector3d point = T * patch.mean;
-    SurfaceMatch& match = matches[i];
-    if ((point - match.point_in_target).squaredNorm() > renew_squared)
-      match = {target(point, T.linear() * patch.normal, patch.flat), point};
-    const auto* surface = static_cast<Surface*>(match.surface);
+    const auto look_up = [&] { return target(point, T.linear() * patch.normal, patch.flat); };
+    const auto* surface = surface_at(point, renew_squared, matches[i], look_up);
     if (surface != nullptr && (surface->mean - point).squaredNorm() <= max_squared) add(patch, *surface);
   }
 }
