@@ -10,12 +10,12 @@ namespace {
 constexpr double kHour = 3600.0;
 constexpr std::uint32_t kSecond = 1'000'000;  // [us]
 
-/// [s] since 1970, or since the sensor's start: a date, or a number whose first byte is not used (PTP).
+/// [s] since 1970: a date, or a number whose first byte is not used (PTP). Zero where the clock was not set.
 double whole_seconds(const std::array<std::uint8_t, 6>& t) {
   if (const auto utc = utc_seconds({2000 + t[0], t[1], t[2], t[3], t[4], double(t[5])})) return *utc;
   double seconds = t[1];
   for (std::size_t i = 2; i < t.size(); ++i) seconds = seconds * 256.0 + t[i];
-  return seconds;
+  return seconds > kEarliestClock && seconds < kLatestClock ? seconds : 0.0;
 }
 
 }  // namespace

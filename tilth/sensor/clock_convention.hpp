@@ -10,6 +10,7 @@
 namespace tilth {
 
 constexpr double kEarliestClock = 1420070400.0;  ///< [s] the year 2015: a clock before that was never set
+constexpr double kLatestClock = 7258118400.0;    ///< [s] the year 2200: nor was one after that
 
 struct ClockConvention {
   double fraction_unit = 1e-6;  ///< [s] of the fraction in dated packets
