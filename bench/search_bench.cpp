@@ -1,9 +1,10 @@
 // Neighbours of every point of a scan: the search along rings beside nanoflann (tree and queries), and local
-// covariances. Places: 0 room, 1 corridor, 2 open ground.
+// covariances. Places: 0 room, 1 corridor, 2 open ground, made for tests; 3 corridor, 4 plaza as simulated.
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
+#include "driven_scans.hpp"
 #include "search/generated_scans.hpp"
 #include <tilth/search/kdtree.hpp>
 #include <tilth/search/neighbor_moments.hpp>
@@ -16,6 +17,7 @@ using tilth::generated::make_scan;
 tilth::PointCloud scan_of(std::int64_t place) {
   const tilth::generated::Place places[] = {tilth::generated::kRoom, tilth::generated::kCorridor,
                                             tilth::generated::kOpenGround};
+  if (place >= 3) return tilth::bench::simulator(place - 3).scan(tilth::bench::kFirst).scan.cloud;
   return make_scan({.place = places[place]}, 1);
 }
 
@@ -47,10 +49,16 @@ void covariances(benchmark::State& state) {
 
 }  // namespace
 
-BENCHMARK(along_rings)->ArgNames({"place", "k"})->ArgsProduct({{0, 1, 2}, {10, 20, 30}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(along_rings)
+    ->ArgNames({"place", "k"})
+    ->ArgsProduct({{0, 1, 2, 3, 4}, {10, 20, 30}})
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(by_nanoflann)
     ->ArgNames({"place", "k"})
-    ->ArgsProduct({{0, 1, 2}, {10, 20, 30}})
+    ->ArgsProduct({{0, 1, 2, 3, 4}, {10, 20, 30}})
     ->Unit(benchmark::kMicrosecond);
-BENCHMARK(covariances)->ArgNames({"place", "k"})->ArgsProduct({{0, 1, 2}, {10, 20}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(covariances)
+    ->ArgNames({"place", "k"})
+    ->ArgsProduct({{0, 1, 2, 3, 4}, {10, 20}})
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK_MAIN();

@@ -7,36 +7,6 @@
 namespace tilth {
 namespace {
 
-SurfacePatches pick(const SurfacePatches& patches, std::span<const std::uint32_t> indices) {
-  SurfacePatches picked;
-  picked.reserve(indices.size());
-  for (const std::uint32_t i : indices) picked.push_back(patches[i]);
-  return picked;
-}
-
-struct Features {
-  SurfacePatches edges, planes;
-};
-
-// kappa of every patch that is flat, or of every one that is not; 0 for the others.
-std::vector<float> curvatures(const SurfacePatches& patches, bool flat) {
-  std::vector<float> kappa(patches.size());
-  for (std::size_t i = 0; i < kappa.size(); ++i) {
-    if (patches[i].flat == flat) kappa[i] = corrected_curvature(patches[i].covariance.cast<float>());
-  }
-  return kappa;
-}
-
-Features extract_features(const SurfacePatches& patches, const FeatureOptions& options) {
-  PointCloud means;
-  for (const SurfacePatch& patch : patches) {
-    means.points.push_back(patch.mean);
-    means.rings.push_back(patch.ring);
-  }
-  return {pick(patches, select_edges(means, curvatures(patches, false), options)),
-          pick(patches, select_planes(means, curvatures(patches, true), options))};
-}
-
 SurfacePatches joined(SurfacePatches a, const SurfacePatches& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
@@ -62,7 +32,7 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   result.filtered = select_kept(cloud, keep);
   begin_stage("features");
   const SurfacePatches patches = surface_patches(cloud, rings_, keep, options_.patches);
-  const Features features = extract_features(patches, options_.features);
+  const PatchFeatures features = patch_features(patches, options_.features);
 
   begin_stage("registration");
   const double middle = 0.5 * duration(cloud);

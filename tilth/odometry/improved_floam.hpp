@@ -1,7 +1,7 @@
 // FLOAM with statistical outlier removal and GICP: Fu et al., Appl. Sci. 2026, 16, 3141.
 #pragma once
 
-#include <tilth/features/edge_plane.hpp>
+#include <tilth/features/patch_features.hpp>
 #include <tilth/features/surface_patches.hpp>
 #include <tilth/map/patch_map.hpp>
 #include <tilth/odometry/motion_model.hpp>
