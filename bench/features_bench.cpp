@@ -33,7 +33,7 @@ void outliers_by_support(benchmark::State& state) {
 void segments_of_rings(benchmark::State& state) {
   const Prepared scan(state.range(0));
   for (auto _ : state)
-    benchmark::DoNotOptimize(ring_segments(scan.cloud, scan.rings, scan.keep, SegmentOptions()).data());
+    benchmark::DoNotOptimize(ring_segments(scan.cloud, scan.rings, scan.keep, SegmentOptions()).segments.data());
 }
 
 void patches_of_scan(benchmark::State& state) {

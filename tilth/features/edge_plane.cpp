@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
+#include <tilth/core/voxel_table.hpp>
 #include <tilth/features/edge_plane.hpp>
 
 namespace tilth {
@@ -49,19 +49,15 @@ void take_edges(Sector sector, std::span<const float> curvature, std::size_t cou
 
 // The least curved candidate of each cell of a grid: near walls, seen thousands of times, count no more than far floor.
 Indices flattest_of_cells(const PointCloud& cloud, std::span<const float> curvature, const FeatureOptions& options) {
-  std::unordered_map<std::uint64_t, std::uint32_t> slots;
-  slots.reserve(4096);
+  VoxelTable cells;
   Indices flattest;
   for (std::uint32_t i = 0; i < cloud.size(); ++i) {
     if (curvature[i] <= 0 || curvature[i] > options.max_plane_curvature) continue;
-    const Eigen::Array3i cell = (cloud.points[i].array() / options.plane_cell).floor().cast<int>();
-    const std::uint64_t key = (std::uint64_t(cell.x() & 0x1fffff) << 42) | (std::uint64_t(cell.y() & 0x1fffff) << 21) |
-                              std::uint64_t(cell.z() & 0x1fffff);
-    const auto [slot, is_new] = slots.try_emplace(key, std::uint32_t(flattest.size()));
-    if (is_new)
+    const std::uint32_t cell = cells.insert(voxel_key(voxel_of(cloud.points[i] / options.plane_cell), 0));
+    if (cell == flattest.size())
       flattest.push_back(i);
-    else if (curvature[i] < curvature[flattest[slot->second]])
-      flattest[slot->second] = i;
+    else if (curvature[i] < curvature[flattest[cell]])
+      flattest[cell] = i;
   }
   return flattest;
 }

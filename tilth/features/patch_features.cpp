@@ -10,25 +10,21 @@ SurfacePatches pick(const SurfacePatches& patches, std::span<const std::uint32_t
   return picked;
 }
 
-// kappa of every patch that is flat, or of every one that is not; 0 for the others.
-std::vector<float> curvatures(const SurfacePatches& patches, bool flat) {
-  std::vector<float> kappa(patches.size());
-  for (std::size_t i = 0; i < kappa.size(); ++i) {
-    if (patches[i].flat == flat) kappa[i] = corrected_curvature(patches[i].covariance.cast<float>());
-  }
-  return kappa;
-}
-
 }  // namespace
 
 PatchFeatures patch_features(const SurfacePatches& patches, const FeatureOptions& options) {
   PointCloud means;
-  for (const SurfacePatch& patch : patches) {
+  means.points.reserve(patches.size());
+  means.rings.reserve(patches.size());
+  std::vector<float> of_flat(patches.size()), of_others(patches.size());  // curvatures; 0: no candidate
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const SurfacePatch& patch = patches[i];
     means.points.push_back(patch.mean);
     means.rings.push_back(patch.ring);
+    (patch.flat ? of_flat : of_others)[i] = corrected_curvature(patch.covariance.cast<float>());
   }
-  return {pick(patches, select_edges(means, curvatures(patches, false), options)),
-          pick(patches, select_planes(means, curvatures(patches, true), options))};
+  return {pick(patches, select_edges(means, of_others, options)),
+          pick(patches, select_planes(means, of_flat, options))};
 }
 
 }  // namespace tilth

@@ -21,126 +21,180 @@ float azimuth_of(const Eigen::Vector3d& p) {
   return y < 0 ? 2 * kPi - angle : angle;
 }
 
-/// A point as its beam saw it; y is mirrored like that of the layout.
-struct Sighting {
-  float x, y, z, range;  // [m]
-  float ux, uy;          // of its direction
-  float time;            // [s]
-};
-using Sightings = std::span<const Sighting>;
-
-/// The points of a ring that are kept, counter-clockwise from the x axis on, whichever way the sensor turns.
-void order_ring(const PointCloud& cloud, const RingLayout& rings, const Ring& ring, std::span<const std::uint8_t> keep,
-                std::vector<Sighting>& sightings) {
-  const auto begin = rings.azimuth.begin() + ring.begin;
-  const auto wrap = std::lower_bound(begin, begin + ring.count, kTurn) - rings.azimuth.begin();
-  const auto first = std::uint32_t(wrap), end = ring.begin + ring.count;
-  const bool timed = cloud.has_times();
-  sightings.clear();
-  const auto take = [&](std::uint32_t from, std::uint32_t to) {
-    for (std::uint32_t s = from; s < to; ++s) {
-      const std::uint32_t index = rings.index[s];
-      if (keep[index] == 0) continue;
-      const float x = rings.x[s], y = rings.y[s], z = rings.z[s];
-      sightings.push_back(
-          {x, y, z, std::sqrt(x * x + y * y + z * z), rings.ux[s], rings.uy[s], timed ? cloud.times[index] : 0.0f});
-    }
-  };
-  take(first, end);
-  take(ring.begin, first);
-  if (rings.mirrored) std::reverse(sightings.begin(), sightings.end());
+float square(float x) {
+  return x * x;
 }
 
-/// Nearly the angle [rad] between two beams less than a right angle apart.
-float angle_between(const Sighting& a, const Sighting& b) {
-  return std::abs(a.ux * b.uy - a.uy * b.ux);
+/// The points of a ring that are kept, as its beam saw them, counter-clockwise from the x axis on; y is mirrored like
+/// that of the layout.
+struct Sightings {
+  std::vector<float> x, y, z;            // [m]
+  std::vector<float> ux, uy;             // of the horizontal direction
+  std::vector<float> time;               // [s]
+  std::vector<float> range, reach;       // [m] of a point; [m^2] that it may be from the first of its run
+  std::vector<std::uint8_t> after_jump;  // whether the surface ends between a point and the one before it
+  std::size_t count = 0;
+
+  void resize(std::size_t size) {
+    for (std::vector<float>* v : {&x, &y, &z, &ux, &uy, &time, &range, &reach}) v->resize(size);
+    after_jump.resize(size);
+  }
+
+  /// Nearly the angle [rad] between two beams less than a right angle apart.
+  float angle_between(std::size_t a, std::size_t b) const { return std::abs(ux[a] * uy[b] - uy[a] * ux[b]); }
+};
+
+struct Slots {
+  std::uint32_t begin, end;
+};
+
+/// Appends the points of these slots that are kept, in their order or in reverse.
+void take(const PointCloud& cloud, const RingLayout& rings, const Slots& slots, std::span<const std::uint8_t> keep,
+          Sightings& s) {
+  const bool timed = cloud.has_times();
+  const std::int64_t step = rings.mirrored ? -1 : 1;
+  std::int64_t slot = rings.mirrored ? std::int64_t(slots.end) - 1 : std::int64_t(slots.begin);
+  std::size_t n = s.count;
+  for (std::uint32_t left = slots.end - slots.begin; left > 0; --left, slot += step) {
+    const auto i = std::size_t(slot);
+    const std::uint32_t index = rings.index[i];
+    s.x[n] = rings.x[i];
+    s.y[n] = rings.y[i];
+    s.z[n] = rings.z[i];
+    s.ux[n] = rings.ux[i];
+    s.uy[n] = rings.uy[i];
+    s.time[n] = timed ? cloud.times[index] : 0.0f;
+    n += keep[index] != 0;
+  }
+  s.count = n;
+}
+
+void order_ring(const PointCloud& cloud, const RingLayout& rings, const Ring& ring, std::span<const std::uint8_t> keep,
+                Sightings& s) {
+  const auto begin = rings.azimuth.begin() + ring.begin;
+  const auto wrap = std::uint32_t(std::lower_bound(begin, begin + ring.count, kTurn) - rings.azimuth.begin());
+  s.resize(std::size_t(ring.count) + 1);
+  s.count = 0;
+  Slots first{wrap, ring.begin + ring.count}, second{ring.begin, wrap};
+  if (rings.mirrored) std::swap(first, second);
+  take(cloud, rings, first, keep, s);
+  take(cloud, rings, second, keep, s);
 }
 
 // [rad] between two firings: the median of some of the steps.
-float column_step(Sightings ring) {
+float column_step(const Sightings& s) {
   std::vector<float> steps;
-  const std::size_t stride = std::max<std::size_t>(1, ring.size() / 64);
-  for (std::size_t i = stride; i < ring.size(); i += stride) steps.push_back(angle_between(ring[i - 1], ring[i]));
+  const std::size_t stride = std::max<std::size_t>(1, s.count / 64);
+  for (std::size_t i = stride; i < s.count; i += stride) steps.push_back(s.angle_between(i - 1, i));
   if (steps.empty()) return 1e-4f;
   std::nth_element(steps.begin(), steps.begin() + std::ptrdiff_t(steps.size() / 2), steps.end());
   return std::max(steps[steps.size() / 2], 1e-4f);
 }
 
-float square(float x) {
-  return x * x;
+/// What of a point depends on it and its neighbour alone, many at a time.
+void measure(Sightings& s, float step, const SegmentOptions& options) {
+  const float length = float(options.length), min_jump = float(options.min_jump);
+  const float jump_share = float(options.jump_share), most_steps = kMostSteps * step;
+  const float *x = s.x.data(), *y = s.y.data(), *z = s.z.data(), *ux = s.ux.data(), *uy = s.uy.data();
+  float *range = s.range.data(), *reach = s.reach.data();
+  std::uint8_t* after_jump = s.after_jump.data();
+  for (std::size_t i = 0; i < s.count; ++i) {
+    range[i] = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
+    reach[i] = square(std::max(length, 4.5f * step * range[i]));
+  }
+  after_jump[0] = 1;
+  for (std::size_t b = 1; b < s.count; ++b) {
+    const std::size_t a = b - 1;
+    const float squared = square(x[a] - x[b]) + square(y[a] - y[b]) + square(z[a] - z[b]);
+    const bool in_depth = std::abs(range[a] - range[b]) > std::max(min_jump, jump_share * range[b]);
+    const bool in_space = squared > square(std::max(min_jump, 12 * range[b] * step));
+    const bool in_angle = std::abs(ux[a] * uy[b] - uy[a] * ux[b]) > most_steps;
+    after_jump[b] = std::uint8_t(in_depth | in_space | in_angle);
+  }
 }
 
-float square_distance(const Sighting& a, const Sighting& b) {
-  return square(a.x - b.x) + square(a.y - b.y) + square(a.z - b.z);
-}
-
-/// The moments of a run, added up about its first point; `turn` is -1 where y is mirrored, else 1.
-RingSegment segment_of(Sightings run, double turn) {
-  const Sighting& first = run.front();
+/// Sums over a run about its first point.
+struct RunSums {
   float x = 0, y = 0, z = 0, xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
   double time = 0;
-  for (const Sighting& p : run) {
-    const float dx = p.x - first.x, dy = p.y - first.y, dz = p.z - first.z;
-    x += dx, y += dy, z += dz;
-    xx += dx * dx, yy += dy * dy, zz += dz * dz;
-    xy += dx * dy, yz += dy * dz, zx += dz * dx;
-    time += double(p.time);
-  }
-  const auto n = double(run.size());
-  const Eigen::Vector3d offset = Eigen::Vector3d(double(x), turn * double(y), double(z)) / n;
-  const Eigen::Vector3d mean = Eigen::Vector3d(double(first.x), turn * double(first.y), double(first.z)) + offset;
-  Eigen::Matrix3d moments = Eigen::Vector3d(double(xx), double(yy), double(zz)).asDiagonal();
-  moments(0, 1) = moments(1, 0) = turn * double(xy);
-  moments(1, 2) = moments(2, 1) = turn * double(yz);
-  moments(2, 0) = moments(0, 2) = double(zx);
-  return {.mean = mean,
-          .scatter = moments - n * offset * offset.transpose(),
-          .azimuth = azimuth_of(mean),
-          .width = angle_between(first, run.back()),
-          .time = float(time / n),
-          .count = int(run.size())};
-}
 
-/// Cuts one ring.
-std::vector<RingSegment> cut(Sightings ring, double turn, const SegmentOptions& options) {
-  const float step = column_step(ring), length = float(options.length), min_jump = float(options.min_jump);
-  const float jump_share = float(options.jump_share);
-  const auto jumps = [&](const Sighting& a, const Sighting& b) {
-    return std::abs(a.range - b.range) > std::max(min_jump, jump_share * b.range) ||
-           square_distance(a, b) > square(std::max(min_jump, 12 * b.range * step)) ||
-           angle_between(a, b) > kMostSteps * step;
-  };
-  std::vector<RingSegment> segments;
-  bool after_jump = true;
-  for (std::size_t begin = 0, end = 1; begin < ring.size(); begin = end++) {
-    const Sighting& first = ring[begin];
-    bool jump = true;
-    for (; end < ring.size(); ++end) {
-      jump = jumps(ring[end - 1], ring[end]);
-      if (jump || square_distance(first, ring[end]) > square(std::max(length, 4.5f * step * ring[end].range))) break;
-    }
-    if (end - begin >= std::size_t(options.min_points)) {
-      segments.push_back(segment_of(ring.subspan(begin, end - begin), turn));
-      segments.back().free = after_jump && (jump || end == ring.size());
-    }
-    after_jump = jump;
+  /// Moments about the mean of `count` points, the first at `first`; `turn` is -1 where y is mirrored, else 1.
+  Moments moments(const Eigen::Vector3d& first, std::size_t count, double turn) const {
+    const auto n = double(count);
+    const Eigen::Vector3d offset = Eigen::Vector3d(double(x), turn * double(y), double(z)) / n;
+    Vector6d scatter;
+    scatter << double(xx), double(yy), double(zz), turn * double(xy), turn * double(yz), double(zx);
+    const double ox = offset.x(), oy = offset.y(), oz = offset.z();
+    Vector6d about_mean;
+    about_mean << ox * ox, oy * oy, oz * oz, ox * oy, oy * oz, oz * ox;
+    return {n, first + offset, scatter - n * about_mean};
   }
-  return segments;
+};
+
+/// Cuts the ring, and adds its segments.
+void cut(const Sightings& s, double turn, const SegmentOptions& options, std::vector<RingSegment>& segments) {
+  for (std::size_t begin = 0, end = 0; begin < s.count; begin = end) {
+    const float x = s.x[begin], y = s.y[begin], z = s.z[begin];
+    RunSums sums{.time = double(s.time[begin])};
+    for (end = begin + 1; end < s.count && s.after_jump[end] == 0; ++end) {
+      const float dx = s.x[end] - x, dy = s.y[end] - y, dz = s.z[end] - z;
+      const float xx = dx * dx, yy = dy * dy, zz = dz * dz;
+      if (xx + yy + zz > s.reach[end]) break;
+      sums.x += dx, sums.y += dy, sums.z += dz;
+      sums.xx += xx, sums.yy += yy, sums.zz += zz;
+      sums.xy += dx * dy, sums.yz += dy * dz, sums.zx += dz * dx;
+      sums.time += double(s.time[end]);
+    }
+    const std::size_t count = end - begin;
+    if (count < std::size_t(options.min_points)) continue;
+    const Moments moments = sums.moments({double(x), turn * double(y), double(z)}, count, turn);
+    const bool free = s.after_jump[begin] != 0 && (end == s.count || s.after_jump[end] != 0);
+    segments.push_back({.moments = moments,
+                        .azimuth = azimuth_of(moments.mean),
+                        .width = s.angle_between(begin, end - 1),
+                        .time = float(sums.time / double(count)),
+                        .free = free});
+  }
 }
 
 }  // namespace
 
-std::vector<std::vector<RingSegment>> ring_segments(const PointCloud& cloud, const RingLayout& rings,
-                                                    std::span<const std::uint8_t> keep, const SegmentOptions& options) {
-  if (rings.rings.empty()) return {};
-  std::vector<std::vector<RingSegment>> segments(
-      std::size_t(*std::max_element(cloud.rings.begin(), cloud.rings.end())) + 1);
-  std::vector<Sighting> sightings;
-  for (const Ring& ring : rings.rings) {
-    order_ring(cloud, rings, ring, keep, sightings);
-    segments[cloud.rings[rings.index[ring.begin]]] = cut(sightings, rings.mirrored ? -1.0 : 1.0, options);
+void Moments::add(const Moments& other) {
+  const double total = count + other.count, share = other.count / total;
+  const Eigen::Vector3d d = other.mean - mean;
+  Vector6d products;
+  products << d.x() * d.x(), d.y() * d.y(), d.z() * d.z(), d.x() * d.y(), d.y() * d.z(), d.z() * d.x();
+  scatter += other.scatter + (count * share) * products;
+  mean += d * share;
+  count = total;
+}
+
+Eigen::Matrix3d Moments::covariance() const {
+  const Vector6d c = scatter * (1 / std::max(1.0, count - 1));
+  Eigen::Matrix3d covariance;
+  covariance << c[0], c[3], c[5], c[3], c[1], c[4], c[5], c[4], c[2];
+  return covariance;
+}
+
+RingSegments ring_segments(const PointCloud& cloud, const RingLayout& rings, std::span<const std::uint8_t> keep,
+                           const SegmentOptions& options) {
+  RingSegments result;
+  if (rings.rings.empty()) return result;
+  const std::size_t ids = std::size_t(*std::max_element(cloud.rings.begin(), cloud.rings.end())) + 1;
+  std::vector<const Ring*> by_id(ids, nullptr);
+  for (const Ring& ring : rings.rings) by_id[cloud.rings[rings.index[ring.begin]]] = &ring;
+  result.segments.reserve(cloud.size() / 4);
+  result.ring_begin.assign(1, 0);
+  Sightings sightings;
+  for (const Ring* ring : by_id) {
+    if (ring != nullptr) {
+      order_ring(cloud, rings, *ring, keep, sightings);
+      measure(sightings, column_step(sightings), options);
+      cut(sightings, rings.mirrored ? -1.0 : 1.0, options, result.segments);
+    }
+    result.ring_begin.push_back(std::uint32_t(result.segments.size()));
   }
-  return segments;
+  return result;
 }
 
 }  // namespace tilth

@@ -10,6 +10,7 @@
 
 #include <tilth/core/options.hpp>
 #include <tilth/core/point_cloud.hpp>
+#include <tilth/core/se3.hpp>
 #include <tilth/search/ring_layout.hpp>
 
 namespace tilth {
@@ -29,19 +30,37 @@ void visit(SegmentOptions& o, V&& v) {
   v("min_points", o.min_points, Bounds{2, 1000}, "[points] fewer are no patch");
 }
 
-struct RingSegment {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();     ///< [m]
-  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();  ///< sum of (p - mean)(p - mean)^T
-  float azimuth = 0.0f;                               ///< [rad] of its mean, 0 .. 2 pi
-  float width = 0.0f;                                 ///< [rad] nearly
-  float time = 0.0f;                                  ///< [s] mean of its points; 0 where they have none
-  int count = 0;                                      ///< points
-  bool free = false;                                  ///< ends at a step in depth on both sides
+/// Sums of points about their mean: second moments xx, yy, zz, xy, yz, zx.
+struct Moments {
+  double count = 0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< [m]
+  Vector6d scatter = Vector6d::Zero();             ///< [m^2] sum of the products of p - mean
+
+  void add(const Moments& other);
+  Eigen::Matrix3d covariance() const;  ///< [m^2]
 };
 
-/// The segments of each ring by its number, ascending in azimuth from the x axis on. `rings` is the layout of `cloud`.
-/// Points whose entry in `keep`, one a point, is zero are passed over.
-std::vector<std::vector<RingSegment>> ring_segments(const PointCloud& cloud, const RingLayout& rings,
-                                                    std::span<const std::uint8_t> keep, const SegmentOptions& options);
+struct RingSegment {
+  Moments moments;
+  float azimuth = 0.0f;  ///< [rad] of its mean, 0 .. 2 pi
+  float width = 0.0f;    ///< [rad] nearly
+  float time = 0.0f;     ///< [s] mean of its points; 0 where they have none
+  bool free = false;     ///< ends at a step in depth on both sides
+};
+
+/// The segments of all rings, one ring after another.
+struct RingSegments {
+  std::vector<RingSegment> segments;      ///< of each ring ascending in azimuth from the x axis on
+  std::vector<std::uint32_t> ring_begin;  ///< rings + 1: where each ring begins, by its number, and the end
+
+  std::size_t rings() const { return ring_begin.empty() ? 0 : ring_begin.size() - 1; }
+  std::span<const RingSegment> ring(std::size_t r) const {
+    return std::span(segments).subspan(ring_begin[r], ring_begin[r + 1] - ring_begin[r]);
+  }
+};
+
+/// `rings` is the layout of `cloud`. Points whose entry in `keep`, one a point, is zero are passed over.
+RingSegments ring_segments(const PointCloud& cloud, const RingLayout& rings, std::span<const std::uint8_t> keep,
+                           const SegmentOptions& options);
 
 }  // namespace tilth
