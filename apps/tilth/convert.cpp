@@ -8,8 +8,8 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "interrupt.hpp"
-#include "option_flags.hpp"
 #include "scan_writer.hpp"
+#include "source_flags.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/io/pcap_writer.hpp>
 #include <tilth/sensor/packet.hpp>
@@ -46,6 +46,12 @@ void remove_scans(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (is_scan_file(entry.path()) || entry.path().extension() == ".las") fs::remove(entry.path());
   }
+}
+
+/// Times of zero say that a scan was taken at once, so that no reader derives others.
+Scan with_times(Scan scan) {
+  if (!scan.cloud.has_times()) scan.cloud.times.assign(scan.cloud.size(), 0.0F);
+  return scan;
 }
 
 /// What the target cannot hold of such a scan, one sentence each.
@@ -89,7 +95,7 @@ int convert_scans(const ConvertArguments& arguments, Console& console) {
       for (const std::string& decision : source->decisions()) console.note(decision);
       for (const std::string& loss : losses(*scan, arguments, !target.times.empty())) console.note("loss: " + loss);
     }
-    target.writer.write(stamps.size(), *scan);
+    target.writer.write(stamps.size(), with_times(*scan));
     stamps.push_back(scan->stamp);
     console.progress(stamps.size(), source->size());
   }
@@ -143,9 +149,7 @@ void add_convert(CLI::App& app, int& exit_code) {
       ->required();
   command->add_option("--format", a->format, "of the scans in a folder: pcd, ply, las or kitti (pcd)");
   command->add_flag("--force", a->force, "replace what stands there");
-  command->add_option("--topic", a->input.topic, "of a bag with several");
-  command->add_option("--rate", a->input.rate, "[Hz] of scans without recorded times")->check(CLI::PositiveNumber);
-  add_option_flags(*command, describe(PacketSourceOptions{}), a->input.packets);
+  add_source_flags(*command, a->input);
   command->add_option("--max-scans", a->max_scans, "stop after so many scans");
   command->add_flag("--quiet", a->quiet, "print errors only");
   command->callback([a, &exit_code] { exit_code = convert(*a); });

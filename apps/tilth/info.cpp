@@ -6,10 +6,9 @@
 #include "commands.hpp"
 #include "console.hpp"
 #include "interrupt.hpp"
-#include "option_flags.hpp"
+#include "source_flags.hpp"
 #include <tilth/output/scan_survey.hpp>
 #include <tilth/sources/open_source.hpp>
-#include <tilth/sources/packet_source.hpp>
 
 namespace tilth::app {
 namespace {
@@ -68,10 +67,7 @@ void add_info(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("info", "Tell what is in a recording and how it is understood");
   const auto arguments = std::make_shared<InfoArguments>();
   command->add_option("SOURCE", arguments->source, "as `tilth run` takes it")->required();
-  command->add_option("--topic", arguments->input.topic, "point cloud topic of a bag with several");
-  command->add_option("--rate", arguments->input.rate, "[Hz] of scans without recorded times")
-      ->check(CLI::PositiveNumber);
-  add_option_flags(*command, describe(PacketSourceOptions{}), arguments->input.packets);
+  add_source_flags(*command, arguments->input);
   command->add_option("--max-scans", arguments->max_scans, "stop after so many scans");
   command->callback([arguments, &exit_code] { exit_code = info(*arguments); });
 }

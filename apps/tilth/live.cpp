@@ -113,7 +113,7 @@ int live(const LiveArguments& arguments) {
   const PipelineChoice choice = choose_pipeline(arguments.options);
   RunRecord record = new_record(arguments.source, choice, arguments.record);
   const SlamOptions slam = with<SlamOptions>(choice.loop);  // refused where wrong, also where not used
-  if (arguments.loop_closure) add_options(slam, record);
+  if (arguments.loop_closure) add_options(describe(slam), describe(SlamOptions{}), record);
   Pipeline pipeline = make_pipeline(choice, arguments.loop_closure);
   const LockedFolder folder(arguments.out, run_files(record.output, arguments.loop_closure));
   check_folder(arguments);

@@ -43,12 +43,6 @@ Pipeline make_pipeline(const PipelineChoice& choice, bool loop_closure) {
   return pipeline;
 }
 
-void add_options(const SlamOptions& options, RunRecord& record) {
-  const std::vector<OptionInfo> values = describe(options), defaults = describe(SlamOptions{});
-  record.options.insert(record.options.end(), values.begin(), values.end());
-  record.defaults.insert(record.defaults.end(), defaults.begin(), defaults.end());
-}
-
 void close_loops(Slam& slam, RunRecord& record) {
   const Stopwatch stopwatch;
   slam.finish();

@@ -17,9 +17,6 @@ struct Pipeline {
 /// The pipeline as chosen, with loop closure around it or without. Throws Error on options that are wrong.
 Pipeline make_pipeline(const PipelineChoice& choice, bool loop_closure);
 
-/// Adds the options of loop closure to those of the pipeline.
-void add_options(const SlamOptions& options, RunRecord& record);
-
 /// Optimises for the last time; then trajectory and map of `record` are the corrected ones, and what led there stands
 /// in `record.loops`.
 void close_loops(Slam& slam, RunRecord& record);

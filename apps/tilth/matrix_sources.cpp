@@ -55,11 +55,13 @@ MatrixSource simulated(const std::string& uri, const std::string& seed, const fs
   return {label, used, {folder, make, own_name()}, folder / "truth.tum"};
 }
 
-MatrixSource recorded(const std::string& path, const std::string& truth) {
-  if (!fs::exists(path)) throw Error("--sources " + path, "is no file, no folder and no sim://SCENE");
+MatrixSource recorded(const std::string& uri, const std::string& truth) {
+  const std::string path = parse_path_uri(uri).what;
+  if (!fs::exists(path)) throw Error("--sources " + uri, "is no file, no folder and no sim://SCENE");
   const fs::path absolute = fs::weakly_canonical(path);
   const fs::path found = truth_of(absolute, truth);
-  return {absolute.filename().string(), "", {absolute, {}, ""}, found};
+  const std::string query = uri.substr(path.size());
+  return {absolute.filename().string() + query, "", {absolute, {}, ""}, found, query};
 }
 
 std::vector<std::string> names_of_sources(const MatrixArguments& arguments) {

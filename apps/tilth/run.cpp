@@ -11,12 +11,12 @@
 #include "process.hpp"
 #include "register_scans.hpp"
 #include "run_report.hpp"
+#include "source_flags.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/evaluation/evaluate.hpp>
 #include <tilth/io/pose_file.hpp>
 #include <tilth/output/run_record.hpp>
 #include <tilth/sources/open_source.hpp>
-#include <tilth/sources/packet_source.hpp>
 
 namespace tilth::app {
 namespace {
@@ -74,8 +74,9 @@ int run(const RunArguments& arguments) {
   if (!arguments.truth.empty()) truth = read_pose_file(arguments.truth);
   const PipelineChoice choice = choose_pipeline(arguments.options);
   RunRecord record = new_record(arguments.source, choice, arguments.record);
+  add_options(describe_source(arguments.input), describe_source({}), record);
   const SlamOptions slam = with<SlamOptions>(choice.loop);  // refused where wrong, also where not used
-  if (arguments.loop_closure) add_options(slam, record);
+  if (arguments.loop_closure) add_options(describe(slam), describe(SlamOptions{}), record);
   Pipeline pipeline = make_pipeline(choice, arguments.loop_closure);
   const std::unique_ptr<ScanSource> source = open_source(arguments.source, stopped_by_signals(arguments.input));
   const LockedFolder folder(arguments.out, run_files(record.output, arguments.loop_closure));
@@ -98,9 +99,7 @@ void add_input_options(CLI::App& command, RunArguments& a) {
       .add_option("SOURCE", a.source,
                   "folder of scans, KITTI sequence, bag, network capture, udp://:PORT or sim://SCENE")
       ->required();
-  command.add_option("--topic", a.input.topic, "point cloud topic of a bag with several");
-  command.add_option("--rate", a.input.rate, "[Hz] of scans without recorded times")->check(CLI::PositiveNumber);
-  add_option_flags(command, describe(PacketSourceOptions{}), a.input.packets);
+  add_source_flags(command, a.input);
   command.add_option("--max-scans", a.loop.max_scans, "stop after so many scans");
   command.add_flag("--strict", a.loop.strict, "a record that cannot be used ends the run with an error");
 }

@@ -30,6 +30,7 @@ MatrixRun plan_run(const MatrixSource& source, const Method& method, const fs::p
   for (Command& command : commands) {
     for (std::string& word : command) {
       replace_all(word, "{scans}", source.recording.folder.string());
+      replace_all(word, "{query}", source.query);
       replace_all(word, "{out}", folder.string());
     }
   }
@@ -113,7 +114,7 @@ Method pipeline_method(const std::string& text, const MatrixArguments& arguments
   options.settings.insert(options.settings.end(), parts.begin() + 1, parts.end());
   const PipelineChoice choice = choose_pipeline(options);
   describe_odometry(choice.name, choice.values);  // throws where a name or value is wrong
-  Command run{"tilth", "run", "{scans}", "--out", "{out}", "--pipeline", choice.name, "--quiet"};
+  Command run{"tilth", "run", "{scans}{query}", "--out", "{out}", "--pipeline", choice.name, "--quiet"};
   run.insert(run.end(), {"--threads", std::to_string(arguments.threads), "--report-points", kReportPoints});
   if (arguments.max_scans > 0) run.insert(run.end(), {"--max-scans", std::to_string(arguments.max_scans)});
   for (const auto& [key, value] : choice.values) run.insert(run.end(), {"--set", key + "=" + value});

@@ -36,6 +36,7 @@ struct MatrixSource {
   std::string label, seed;  ///< seed: empty where there is none
   Recording recording;
   std::filesystem::path truth;
+  std::string query = {};  ///< ?key=value, options of the source for `tilth run`; empty: none
 };
 
 /// Every source with every seed; those that are no simulation, once. Throws Error naming the argument that is wrong and
@@ -48,7 +49,7 @@ std::string folder_name(const std::string& label);
 /// Something that makes a trajectory of scans.
 struct Method {
   std::string label;
-  std::vector<Command> commands;  ///< {scans} and {out} stand for the folders
+  std::vector<Command> commands;  ///< {scans} stands for the recording, {query} for its options, {out} for the results
   std::string program;            ///< version and fingerprint
 };
 

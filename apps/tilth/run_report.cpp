@@ -1,6 +1,8 @@
 #include "run_report.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 #include "machine.hpp"
 #include <tilth/odometry/make_odometry.hpp>
@@ -55,6 +57,11 @@ RunRecord new_record(const std::string& source, const PipelineChoice& choice, co
   record.output = with<OutputOptions>(values.output);
   record.report = with<ReportOptions>(values.report);
   return record;
+}
+
+void add_options(std::vector<OptionInfo> options, std::vector<OptionInfo> defaults, RunRecord& record) {
+  std::move(options.begin(), options.end(), std::back_inserter(record.options));
+  std::move(defaults.begin(), defaults.end(), std::back_inserter(record.defaults));
 }
 
 void report_run(const RunRecord& record, const std::string& folder, Console& console) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "console.hpp"
 #include "option_arguments.hpp"
@@ -16,6 +17,9 @@ struct RecordValues {
 
 /// A record without scans. Throws Error on an unknown key or bound, and as describe_odometry.
 RunRecord new_record(const std::string& source, const PipelineChoice& choice, const RecordValues& values);
+
+/// Adds options in force, and what they are by default, to those of the pipeline.
+void add_options(std::vector<OptionInfo> options, std::vector<OptionInfo> defaults, RunRecord& record);
 
 /// The figures of the run in a few lines, and where its files are.
 void report_run(const RunRecord& record, const std::string& folder, Console& console);

@@ -1,5 +1,6 @@
 // Rings and times worked out from the points where no field tells them.
 #include <algorithm>
+#include <io/expect_error.hpp>
 #include <random>
 #include <sensor/spinning_lidar.hpp>
 
@@ -219,6 +220,42 @@ TEST(DeskewedScans, HaveNoTimes) {
   const ScanDecoder decoder(recording.records, {false, true});
   EXPECT_TRUE(says(decoder, "deskewed already"));
   EXPECT_FALSE(decoder.decode(recording.records[0]).cloud.has_times());
+}
+
+const RecordField kTimes{"time", FieldType::f32, [](const Shot& s) { return s.time; }};
+
+TEST(TimesAskedFor, NoneMeansTheStampWhateverTheRecordingHolds) {
+  for (const std::vector<RecordField>& fields : {std::vector{ring_field()}, std::vector{ring_field(), kTimes}}) {
+    const Recording recording = recording_of({kVlp16}, fields);
+    ASSERT_TRUE(ScanDecoder(recording.records, {}).decode(recording.records[1]).cloud.has_times());
+    const ScanDecoder decoder(recording.records, {.times = CloudTimes::none});
+    EXPECT_TRUE(says(decoder, "time: none, as asked for"));
+    const Scan scan = decoder.decode(recording.records[1]);
+    EXPECT_TRUE(scan.cloud.times.empty());
+    EXPECT_EQ(scan.stamp, recording.records[1].stamp.stamp);
+    EXPECT_TRUE(scan.cloud.has_rings());
+  }
+}
+
+TEST(TimesAskedFor, DerivedPassOverAFieldAndWhatTheFormatSays) {
+  const RecordField zero{"time", FieldType::f32, [](const Shot&) { return 0.0; }};
+  const Recording recording = recording_of({kVlp16}, {ring_field(), zero});
+  EXPECT_FALSE(ScanDecoder(recording.records, {}).decode(recording.records[1]).cloud.has_times());
+  const ScanDecoder decoder(recording.records, {.deskewed = true, .times = CloudTimes::derived});
+  EXPECT_TRUE(says(decoder, "no field is read, as asked for"));
+  const Scan scan = decoder.decode(recording.records[1]);
+  ASSERT_TRUE(scan.cloud.has_times());
+  EXPECT_NEAR(scan.cloud.times.back(), recording.shots[1].back().time - scan.stamp, 2e-4);
+}
+
+TEST(TimesAskedFor, DerivedAreRefusedWhereThePointsTellNone) {
+  Recording recording = recording_of({kVlp16}, {ring_field(), kTimes}, 2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::shuffle(recording.shots[k].begin(), recording.shots[k].end(), std::mt19937(3));
+    recording.records[k].records = records_of(recording.shots[k], {ring_field(), kTimes});
+  }
+  expect_error([&] { ScanDecoder(recording.records, {.times = CloudTimes::derived}); },
+               {"times=derived", "not in the order of firing"});
 }
 
 }  // namespace

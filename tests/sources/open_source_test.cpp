@@ -8,6 +8,7 @@
 
 #include <tilth/io/kitti_bin.hpp>
 #include <tilth/io/pcd.hpp>
+#include <tilth/io/ply.hpp>
 #include <tilth/io/rosbag1_writer.hpp>
 #include <tilth/sensor/point_cloud2.hpp>
 #include <tilth/sources/open_source.hpp>
@@ -221,6 +222,40 @@ TEST(BagSource, FindsTheOnlyCloudTopicAndStampsTheFirstPoint) {
     EXPECT_EQ(scan.cloud.rings[5], shots(k)[5].ring);
   }
   EXPECT_TRUE(source->skipped().empty());
+}
+
+TEST(PointTimes, AreNoneInEveryFormatWhereAskedFor) {
+  const TemporaryFolder folder;
+  for (const char* name : {"pcd", "ply", "kitti"}) fs::create_directory(folder / name);
+  for (int k = 0; k < 8; ++k) {
+    const std::string number = std::to_string(5.0 + 0.1005 * k);
+    write_pcd(folder / "pcd" / (number + ".pcd"), cloud(k));
+    write_ply(folder / "ply" / (number + ".ply"), cloud(k));
+    write_kitti_bin(folder / "kitti" / (number + ".bin"), cloud(k));
+  }
+  write_bag(folder / "a.bag", {"/points"}, 8);
+  for (const char* name : {"pcd", "ply", "kitti", "a.bag"}) {
+    SCOPED_TRACE(name);
+    const std::string path = (folder / name).string();
+    EXPECT_TRUE(all_of(*open_source(path, {})).at(3).cloud.has_times());
+    for (const auto& source :
+         {open_source(path + "?times=none", {}), open_source(path, {.values = {{"times", "none"}}})}) {
+      EXPECT_TRUE(says(*source, "time: none, as asked for"));
+      const std::vector<Scan> scans = all_of(*source);
+      ASSERT_EQ(scans.size(), 8u);
+      for (const Scan& scan : scans) EXPECT_TRUE(scan.cloud.times.empty());
+    }
+    expect_error([&] { open_source(path + "?times=never", {}); }, {"times", "never", "auto | none | derived"});
+    expect_error([&] { open_source(path + "?sensor=vlp16", {}); }, {"option sensor", "means nothing for the"});
+  }
+  const double end = shots(3).back().time;
+  EXPECT_NEAR(all_of(*open_source((folder / "a.bag").string() + "?times=none", {}))[3].stamp, 1000.0 + end, 1e-6);
+}
+
+TEST(PointTimes, MeanNothingWhereTheyAreKnown) {
+  const SourceOptions none{.values = {{"times", "none"}}};
+  for (const char* uri : {"sim://corridor?columns=100&duration=1", "udp://127.0.0.1:0"})
+    expect_error([&] { open_source(uri, none); }, {"option times", "means nothing for"});
 }
 
 TEST(BagSource, AsksWhichOfSeveralTopics) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <numbers>
 #include <numeric>
@@ -31,6 +32,11 @@ PointCloud without(const PointCloud& cloud, const std::vector<std::uint32_t>& le
 
 }  // namespace
 
+std::span<const std::string_view> names_of(CloudTimes) {
+  static constexpr std::array<std::string_view, 3> kNames{"auto", "none", "derived"};
+  return kNames;
+}
+
 ScanDecoder::ScanDecoder(std::span<const StampedRecords> first_scans, const RecordingTraits& traits) {
   std::vector<MeasuredPoints> scans;
   std::vector<CloudStamp> stamps;
@@ -55,6 +61,16 @@ ScanDecoder::ScanDecoder(std::span<const StampedRecords> first_scans, const Reco
 
 void ScanDecoder::decide_times(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,
                                const std::optional<PointField>& field, const RecordingTraits& traits) {
+  if (traits.times == CloudTimes::none) {
+    decisions_.emplace_back("time: none, as asked for (times=none): every point was taken at the stamp of its scan");
+    return;
+  }
+  if (traits.times == CloudTimes::derived) {
+    decisions_.emplace_back("time: no field is read, as asked for (times=derived)");
+    decide_spin(scans, stamps, traits);
+    if (!spin_period_) throw Error("option times=derived", "cannot be followed; " + decisions_.back());
+    return;
+  }
   if (traits.deskewed) {
     decisions_.push_back("time: none, the scans of this format are deskewed already");
     return;
@@ -74,11 +90,15 @@ void ScanDecoder::decide_times(std::span<const MeasuredPoints> scans, std::span<
     }
     if (times_ || decision.snapshot) return;
   }
-  decide_spin(scans, stamps, traits.nominal_stamps);
+  decide_spin(scans, stamps, traits);
+  if (spin_period_) {
+    decisions_.emplace_back(
+        "if every scan was taken at once, as simulators do, derived times bend it: --times none says so");
+  }
 }
 
 void ScanDecoder::decide_spin(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,
-                              bool nominal_stamps) {
+                              const RecordingTraits& traits) {
   std::vector<Sweep> sweeps;
   std::vector<double> sweep_stamps;
   for (std::size_t k = 0; k < scans.size(); ++k) {
@@ -91,12 +111,12 @@ void ScanDecoder::decide_spin(std::span<const MeasuredPoints> scans, std::span<c
     decisions_.emplace_back("time: no field and the points are not in the order of firing: no point times");
     return;
   }
-  if (sweeps.front().ray_grid) {
+  if (sweeps.front().ray_grid && traits.times != CloudTimes::derived) {
     decisions_.emplace_back(
         "time: no field, and the points lie on a ray caster's exact grid: scans are snapshots, no point times");
     return;
   }
-  const SpinDecision spin = measure_spin(sweeps, sweep_stamps, nominal_stamps);
+  const SpinDecision spin = measure_spin(sweeps, sweep_stamps, traits.nominal_stamps);
   spin_period_ = spin.period;
   cut_ = spin.cut;
   decisions_.push_back(spin.sentence);

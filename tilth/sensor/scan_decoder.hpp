@@ -5,8 +5,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include <tilth/core/options.hpp>
 #include <tilth/core/scan.hpp>
 #include <tilth/sensor/ring_convention.hpp>
 #include <tilth/sensor/time_convention.hpp>
@@ -18,16 +20,33 @@ struct StampedRecords {
   PointRecords records;
 };
 
+/// Where the times of points come from. automatic: their field, else the order of firing; derived: that order whatever
+/// a field says; none: nowhere, a scan was taken at its stamp.
+enum class CloudTimes { automatic, none, derived };
+std::span<const std::string_view> names_of(CloudTimes);
+
+struct CloudOptions {
+  CloudTimes times = CloudTimes::automatic;
+};
+
+template <class V>
+void visit(CloudOptions& o, V&& v) {
+  v("times", o.times,
+    "[-] of the points of clouds; auto: their field, else the order of firing; none: a scan was taken at once, as in a "
+    "simulator; derived: the order of firing, whatever a field says");
+}
+
 /// What is known of a recording beside its records.
 struct RecordingTraits {
   bool nominal_stamps = false;  ///< nobody recorded them
   bool deskewed = false;        ///< the points of a scan already share one instant
+  CloudTimes times = CloudTimes::automatic;
 };
 
 class ScanDecoder {
  public:
   /// Decides from the first scans; those that cannot be read are left out. Throws the Error of the first where none
-  /// can.
+  /// can, and where times are to be derived that the points do not tell.
   ScanDecoder(std::span<const StampedRecords> first_scans, const RecordingTraits& traits);
 
   /// Throws Error where x, y or z is missing or no point is valid.
@@ -38,7 +57,8 @@ class ScanDecoder {
  private:
   void decide_times(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,
                     const std::optional<PointField>& field, const RecordingTraits& traits);
-  void decide_spin(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps, bool nominal_stamps);
+  void decide_spin(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,
+                   const RecordingTraits& traits);
   void set_times(MeasuredPoints& measured, double stamp, Scan& scan) const;
 
   std::optional<RingConvention> rings_;

@@ -9,6 +9,7 @@
 #include <tilth/sources/bag_source.hpp>
 #include <tilth/sources/packet_source.hpp>
 #include <tilth/sources/recorded_source.hpp>
+#include <tilth/sources/source_uri.hpp>
 
 namespace tilth {
 namespace {
@@ -51,8 +52,7 @@ class CloudReader {
 
 }  // namespace
 
-std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const SourceOptions& options,
-                                     const OptionValues& packets) {
+std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const SourceOptions& options) {
   BagReader bag = open_bag_reader(path);
   const std::map<std::string, BagTopic> topics = bag_topics(bag.connections);
   const BagTopic topic = choose_bag_topic(path.string(), topics, options.topic);
@@ -60,15 +60,15 @@ std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const So
   if (is_packet_message(topic.type)) {
     PacketFeed feed = bag_packet_feed(std::move(bag), topic, source);
     feed.contents = bag_topic_lines(topics);
-    return open_packets(std::move(feed), with<PacketSourceOptions>(packets));
+    return open_packets(std::move(feed), options_of<PacketSourceOptions>("the packets of " + source, options.values));
   }
   bag.select(topic.name);
-  if (!packets.empty())
-    throw Error("option " + packets.begin()->first, "means nothing for the point clouds of " + source);
+  const auto clouds = options_of<CloudOptions>("the point clouds of " + source, options.values);
   std::vector<std::string> decisions{"source: " + source + ", " + std::to_string(topic.messages) + " messages",
                                      "stamps: of the message headers; where one is 0, of the recorder"};
-  auto recorded = std::make_unique<RecordedSource>(CloudReader(path.string(), std::move(bag), topic.serialization()),
-                                                   RecordingTraits{}, std::move(decisions), topic.messages);
+  auto recorded =
+      std::make_unique<RecordedSource>(CloudReader(path.string(), std::move(bag), topic.serialization()),
+                                       RecordingTraits{.times = clouds.times}, std::move(decisions), topic.messages);
   recorded->add_contents(bag_topic_lines(topics));
   return recorded;
 }

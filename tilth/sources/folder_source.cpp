@@ -10,6 +10,7 @@
 #include <tilth/sources/folder_source.hpp>
 #include <tilth/sources/recorded_source.hpp>
 #include <tilth/sources/scan_files.hpp>
+#include <tilth/sources/source_uri.hpp>
 
 namespace tilth {
 namespace {
@@ -59,12 +60,13 @@ class FileReader {
 }  // namespace
 
 std::unique_ptr<ScanSource> open_folder(const fs::path& path, const SourceOptions& options) {
+  const auto clouds = options_of<CloudOptions>("the scan files of " + path.string(), options.values);
   const fs::path absolute = fs::absolute(path).lexically_normal();
   std::vector<fs::path> files =
       fs::is_directory(absolute) ? find_scan_files(absolute) : std::vector<fs::path>{absolute};
   ScanStamps stamps = stamps_of(files, options.rate);
   const bool kitti = is_kitti_sequence(files);
-  const RecordingTraits traits{stamps.nominal, kitti};
+  const RecordingTraits traits{stamps.nominal, kitti, clouds.times};
   std::vector<std::string> decisions{"source: " + std::to_string(files.size()) +
                                          (kitti ? " scans of a KITTI sequence in " : " scan files in ") +
                                          files.front().parent_path().string(),

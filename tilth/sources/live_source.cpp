@@ -118,7 +118,7 @@ LiveAddress parse_live_uri(const std::string& uri, const OptionValues& values) {
   SourceUri source = parse_source_uri(uri.substr(kLiveScheme.size()));
   source.values.insert(values.begin(), values.end());
   return {source.what.empty() ? UdpAddress{0, kSensorPort} : parse_udp_address(source.what),
-          with<LiveOptions>(source.values)};
+          options_of<LiveOptions>("packets of a sensor", source.values)};
 }
 
 std::unique_ptr<PacketReceiver> listen(const LiveAddress& address, std::function<bool()> stopped) {

@@ -17,42 +17,38 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file or folder with its options; a question mark may stand in its name.
-SourceUri parse_path(const std::string& uri, const OptionValues& values) {
-  std::error_code error;
-  SourceUri source = fs::exists(uri, error) ? SourceUri{uri, {}} : parse_source_uri(uri);
-  source.values.insert(values.begin(), values.end());
-  return source;
-}
-
 /// Packets of `path`, where it is a file of packets.
 std::unique_ptr<ScanSource> open_packet_file(const fs::path& path, const OptionValues& values) {
-  if (is_capture(path)) return open_packets(capture_feed(path), with<PacketSourceOptions>(values));
-  if (is_payload_file(path)) return open_packets(payload_feed(path), with<PacketSourceOptions>(values));
+  const auto options = [&] { return options_of<PacketSourceOptions>("the packets of " + path.string(), values); };
+  if (is_capture(path)) return open_packets(capture_feed(path), options());
+  if (is_payload_file(path)) return open_packets(payload_feed(path), options());
   return nullptr;
 }
 
 }  // namespace
 
 std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOptions& options) {
-  if (uri.starts_with(kSimulatedScheme)) return open_simulation(uri);
+  if (uri.starts_with(kSimulatedScheme)) {
+    if (!options.values.empty()) throw Error("option " + options.values.begin()->first, "means nothing for " + uri);
+    return open_simulation(uri);
+  }
   if (uri.starts_with(kLiveScheme)) {
-    const LiveAddress address = parse_live_uri(uri, options.packets);
+    const LiveAddress address = parse_live_uri(uri, options.values);
     return std::make_unique<LiveSource>(listen(address, options.stopped), address.options);
   }
-  const SourceUri source = parse_path(uri, options.packets);
+  const SourceUri source = parse_path_uri(uri);
+  SourceOptions merged = options;
+  merged.values = source.values;
+  merged.values.insert(options.values.begin(), options.values.end());
   const fs::path path(source.what);
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw Error(source.what, "no such file or folder");
   if (fs::is_regular_file(status)) {
-    if (std::unique_ptr<ScanSource> packets = open_packet_file(path, source.values)) return packets;
+    if (std::unique_ptr<ScanSource> packets = open_packet_file(path, merged.values)) return packets;
   }
-  if (is_bag(path)) return open_bag(path, options, source.values);
-  if (!source.values.empty()) {
-    throw Error(uri, "holds no packets of a sensor, so option " + source.values.begin()->first + " means nothing");
-  }
-  if (fs::is_directory(status) || is_scan_file(path)) return open_folder(path, options);
+  if (is_bag(path)) return open_bag(path, merged);
+  if (fs::is_directory(status) || is_scan_file(path)) return open_folder(path, merged);
   throw Error(uri, "is no folder of scans, .pcd, .ply, .bin, .bag, .db3, .mcap, .pcap, .pcapng or file of packets");
 }
 

@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include <tilth/sources/source_uri.hpp>
 
 namespace tilth {
@@ -23,6 +25,11 @@ SourceUri parse_source_uri(const std::string& uri) {
     source.values[key] = setting;
   }
   return source;
+}
+
+SourceUri parse_path_uri(const std::string& uri) {
+  std::error_code error;
+  return std::filesystem::exists(uri, error) ? SourceUri{uri, {}} : parse_source_uri(uri);
 }
 
 }  // namespace tilth

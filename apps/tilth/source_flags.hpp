@@ -1,0 +1,19 @@
+// What the command line says of SOURCE: the flags of `tilth run`, `info` and `convert`.
+#pragma once
+
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include <tilth/core/options.hpp>
+#include <tilth/sources/open_source.hpp>
+
+namespace tilth::app {
+
+/// --topic, --rate, and a flag for each option of packets and of point clouds. `source` outlives the parsing.
+void add_source_flags(CLI::App& command, SourceOptions& source);
+
+/// What those flags say, each as source.KEY; with SourceOptions{} what they say where none is given.
+std::vector<OptionInfo> describe_source(const SourceOptions& source);
+
+}  // namespace tilth::app
