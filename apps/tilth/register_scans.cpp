@@ -23,7 +23,7 @@ ScanRow row_of(const Scan& scan, const OdometryResult& result) {
   row.converged = result.alignment.converged;
   row.error = result.alignment.error;
   row.degenerate_directions = result.alignment.degenerate_directions;
-  row.variances = result.alignment.covariance.diagonal();
+  row.variances = result.covariance.value_or(result.alignment.covariance).diagonal();
   return row;
 }
 

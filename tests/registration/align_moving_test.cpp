@@ -24,6 +24,7 @@ struct Place {
     Eigen::Vector3d mean, normal;
     Eigen::Matrix3d covariance;
     double variance;
+    float seen_at = 0.0F;
   };
   std::vector<Plane> planes;
 

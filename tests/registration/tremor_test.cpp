@@ -1,6 +1,7 @@
 // The tremor of a scan: its system against a quadratic cost written out, and its size as the evidence shows it.
 #include <random>
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <tilth/registration/tremor.hpp>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr double kMiddle = 0.05;  // [s]
 constexpr int kKnots = ScanTremor::kIntervals + 1;
-const TremorSpread kSpread{2e-3, 1e-3};
+const TremorSpread kSpread{2e-3, 1.5e-3, 1e-3};
 
 /// Pairs of flat patches all around, whose residuals are those of a LiDAR that deviates by `tremor`, and of noise [m].
 PatchPairs pairs_of(const ScanTremor& tremor, double noise, std::uint32_t seed) {
@@ -61,8 +62,7 @@ TEST(Tremor, TheSystemIsThatOfTheQuadraticCost) {
     double sum = 0.5 * 1e5 * x.head<12>().squaredNorm();
     for (int k = 0; k < kKnots; ++k) {
       tremor.knots[std::size_t(k)] = x.segment<6>(12 + 6 * k);
-      sum += 0.5 * x.segment<3>(12 + 6 * k).squaredNorm() / (kSpread.rotation * kSpread.rotation) +
-             0.5 * x.segment<3>(15 + 6 * k).squaredNorm() / (kSpread.translation * kSpread.translation);
+      sum += 0.5 * x.segment<6>(12 + 6 * k).cwiseAbs2().cwiseQuotient(kSpread.variances()).sum();
     }
     for (const FlatPair& pair : pairs.flat) {
       const Vector6d moved = x.head<6>() + pair.lever * x.segment<6>(6) + tremor.at(0.5 + 0.5 * pair.lever / kMiddle);
@@ -97,9 +97,22 @@ TEST(Tremor, IsFoundWhereTheSurfacesShowIt) {
   }
 }
 
+TEST(Tremor, AddsToTheCovarianceOfThePose) {
+  const MotionState state = state_at_rest();
+  const MovingParts parts = linearize(pairs_of({}, 0.003, 4), state);
+  const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), kSpread, state);
+  const TremblingSystem::Matrix all = system.H.inverse();
+  const int middle = 12 + 6 * (kKnots / 2);
+  const Matrix6d cross = all.block<6, 6>(0, middle);
+  const Matrix6d expected = all.topLeftCorner<6, 6>() + cross + cross.transpose() + all.block<6, 6>(middle, middle);
+  EXPECT_TRUE(covariance_in_middle(system).isApprox(expected, 1e-9));
+  const TremblingSystem still = trembling_system(parts, with_weak_prior(sum_of(parts)), {1e-7, 1e-7, 1e-7}, state);
+  EXPECT_LT(covariance_in_middle(still).trace(), 0.5 * covariance_in_middle(system).trace());
+}
+
 TEST(Tremor, ItsSizeFollowsFromWhatScansShow) {
   AlignMovingOptions options;
-  options.tremor_rotation = 5e-3, options.tremor_translation = 4e-3;
+  options.tremor_tilt = options.tremor_yaw = 5e-3, options.tremor_least_rotation = 2.5e-3;
   for (const double rotation : {0.0, 3.5e-3}) {
     std::mt19937 rng(5);
     TremorEvidence evidence;
@@ -115,15 +128,18 @@ TEST(Tremor, ItsSizeFollowsFromWhatScansShow) {
       evidence = {evidence.squares + fresh.squares, evidence.freedom + fresh.freedom};
     }
     const TremorSpread spread = tremor_spread(evidence, options);
-    EXPECT_NEAR(spread.rotation, std::max(rotation, 2.5e-3), 6e-4) << "half of the greatest is the least";
-    EXPECT_NEAR(spread.translation, 2e-3, 1e-9);
+    EXPECT_NEAR(spread.tilt, std::max(rotation, options.tremor_least_rotation), 6e-4);
+    EXPECT_NEAR(spread.yaw, std::max(rotation, options.tremor_least_rotation), 6e-4);
+    EXPECT_NEAR(spread.translation, options.tremor_least_translation, 2e-4);
   }
 }
 
 TEST(Tremor, NoneWhereTheOptionsAllowNone) {
   AlignMovingOptions options;
   EXPECT_FALSE(tremor_spread({}, options).none());
-  options.tremor_rotation = 0;
+  options.tremor_tilt = 0;
+  EXPECT_TRUE(tremor_spread({}, options).none());
+  options = {.tremor_least_rotation = 0};
   EXPECT_TRUE(tremor_spread({}, options).none());
 }
 

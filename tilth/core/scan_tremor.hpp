@@ -24,11 +24,11 @@ struct ScanTremor {
   }
 };
 
-/// What scans tell about the size of their tremor, rotation first: sums of squares [rad^2, m^2] of the deviations, and
-/// how many of these the scans determine.
+/// What scans tell about the size of their tremor, in tilt, yaw and translation: sums of squares [rad^2, rad^2, m^2] of
+/// the deviations, and how many of these the scans determine.
 struct TremorEvidence {
-  Eigen::Vector2d squares = Eigen::Vector2d::Zero();
-  Eigen::Vector2d freedom = Eigen::Vector2d::Zero();
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+  Eigen::Vector3d freedom = Eigen::Vector3d::Zero();
 };
 
 }  // namespace tilth

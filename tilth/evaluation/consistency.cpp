@@ -23,8 +23,9 @@ Consistency consistency(const MatchedPoses& matches, std::span<const Vector6d> v
   double sum = 0, inside = 0;
   for (std::size_t i = 0; i < variances.size(); ++i) {
     if (!(variances[i].array() > 0).all()) continue;
-    const Vector6d error =
-        log(normalized(relative_pose(matches.estimate[i].T_world_lidar, matches.truth[i].T_world_lidar)));
+    const Pose moved = relative_pose(matches.estimate.front().T_world_lidar, matches.estimate[i].T_world_lidar);
+    const Pose truly_moved = relative_pose(matches.truth.front().T_world_lidar, matches.truth[i].T_world_lidar);
+    const Vector6d error = log(normalized(relative_pose(moved, truly_moved)));
     const double nees = (error.array().square() / variances[i].array()).sum();
     sum += nees;
     inside += nees >= kInside[0] && nees <= kInside[1] ? 1 : 0;

@@ -17,9 +17,9 @@ struct Consistency {
   double inside = 0.0;     ///< [-] share of the poses whose NEES lies within the 95 % bounds of chi^2 with 6 dof
 };
 
-/// `variances` are those of the estimate's poses [rad^2, m^2], along the axes of the LiDAR: an error is
-/// log(T_estimate^-1 T_truth), its NEES the sum of its squares over them. Poses without a positive variance in each
-/// direction do not count. Throws Error where the lengths differ.
+/// `variances` are those of the estimate's poses [rad^2, m^2] in the frame of the first one, along the axes of the
+/// LiDAR: an error is log(T_estimate^-1 T_truth), the first poses made equal, its NEES the sum of its squares over
+/// them. Poses without a positive variance in each direction do not count. Throws Error where the lengths differ.
 Consistency consistency(const MatchedPoses& matches, std::span<const Vector6d> variances);
 
 /// Between which 95 % of the means of `count` independent NEES lie (Wilson and Hilferty's chi^2).

@@ -30,7 +30,7 @@ int facing(const Eigen::Vector3d& normal, bool flat) {
 
 }  // namespace
 
-void PatchMap::insert(const SurfacePatches& patches, const Pose& T_map_lidar) {
+void PatchMap::insert(const SurfacePatches& patches, const Pose& T_map_lidar, double time) {
   const Eigen::Matrix3d R = T_map_lidar.linear();
   for (const SurfacePatch& patch : patches) {
     const Eigen::Vector3d mean = T_map_lidar * patch.mean, normal = R * patch.normal;
@@ -44,6 +44,7 @@ void PatchMap::insert(const SurfacePatches& patches, const Pose& T_map_lidar) {
     if (sums.count >= std::uint32_t(options_.max_patches)) continue;
     MapSurface& surface = surfaces_[number];
     ++sums.count;
+    surface.seen_at += (float(time) - surface.seen_at) / float(sums.count);
     const Eigen::Vector3d before = mean - surface.mean;
     surface.mean += before / double(sums.count);
     sums.scatter.noalias() += before * (mean - surface.mean).transpose();  // Welford

@@ -38,6 +38,7 @@ struct MapSurface {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< unit, towards where it was seen from
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< [m^2] wide along a flat surface
   double variance = 0.0;                                 ///< [m^2] along the normal
+  float seen_at = 0.0F;                                  ///< [s] mean time of its patches
   bool flat = false;
 };
 
@@ -45,8 +46,8 @@ class PatchMap {
  public:
   explicit PatchMap(const PatchMapOptions& options) : options_(options) {}
 
-  /// Adds patches of a scan, given in the sensor's frame. O(patches).
-  void insert(const SurfacePatches& patches, const Pose& T_map_lidar);
+  /// Adds patches of a scan, given in the sensor's frame; `time` [s] of the scan is since the first one. O(patches).
+  void insert(const SurfacePatches& patches, const Pose& T_map_lidar, double time = 0.0);
 
   /// Forgets voxels farther than max_range from `center`. O(voxels), but amortised: it acts once the center has moved
   /// far enough.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include <tilth/core/point_cloud.hpp>
@@ -24,6 +25,8 @@ struct OdometryResult {
   Vector6d velocity =
       Vector6d::Zero();   ///< [rad/s, m/s] of the LiDAR in its own frame during the scan, as used for deskewing
   AlignResult alignment;  ///< of the registration that gave the pose
+  /// [rad^2, m^2] of T_world_lidar (right perturbation), drift included, where the pipeline accounts for it
+  std::optional<Matrix6d> covariance = {};
   ScanCounts counts;
   PointCloud filtered;  ///< the scan without outliers, as measured (not deskewed)
 };

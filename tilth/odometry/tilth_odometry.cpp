@@ -35,8 +35,10 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   motion_.interval = registered_ > 0 ? scan.stamp + middle - last_middle_ : 0.0;
   const MovingAlignment alignment = register_patches(evenly(patches, std::size_t(options_.max_patches)), middle);
   begin_stage("map");
-  insert(patches, middle, alignment);
+  if (registered_ == 0) begin_ = scan.stamp + middle;
+  result.covariance = covariance_of(alignment, scan.stamp + middle - begin_);
   last_middle_ = scan.stamp + middle;
+  insert(patches, middle, alignment);
 
   result.alignment = alignment.pose;
   result.velocity = alignment.velocity;
@@ -69,6 +71,13 @@ MovingAlignment TilthOdometry::register_patches(const SurfacePatches& patches, d
   return alignment;
 }
 
+Matrix6d TilthOdometry::covariance_of(const MovingAlignment& alignment, double time) {
+  return uncertainty_.add({.time = time,
+                           .T_map_lidar = alignment.pose.T_target_source,
+                           .covariance = options_.covariance_scale * alignment.covariance,
+                           .surfaces_seen_at = alignment.surfaces_seen_at.value_or(last_middle_ - begin_)});
+}
+
 void TilthOdometry::insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment) {
   const bool is_first = registered_ == 0 && alignment.pose.converged;
   if (is_first) {
@@ -78,7 +87,7 @@ void TilthOdometry::insert(const SurfacePatches& patches, double middle, const M
   motion_ = next(motion_, alignment);
   if (!is_first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
   const Pose& T_map_middle = alignment.pose.T_target_source;
-  map_.insert(deskew(patches, alignment.velocity, middle, alignment.tremor), T_map_middle);
+  map_.insert(deskew(patches, alignment.velocity, middle, alignment.tremor), T_map_middle, last_middle_ - begin_);
   map_.crop(T_map_middle.translation());
   ++registered_;
 }

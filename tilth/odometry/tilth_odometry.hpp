@@ -5,6 +5,7 @@
 #include <tilth/features/surface_patches.hpp>
 #include <tilth/map/patch_map.hpp>
 #include <tilth/odometry/odometry.hpp>
+#include <tilth/odometry/pose_uncertainty.hpp>
 #include <tilth/preprocess/ring_support.hpp>
 #include <tilth/registration/align_moving.hpp>
 
@@ -13,7 +14,8 @@ namespace tilth {
 struct TilthOptions {
   double min_range = 0.5;
   double max_range = 100.0;
-  double pose_at = 0.58;
+  double pose_at = 0.5;
+  double covariance_scale = 1.5;
   int max_patches = 1500;
   RingSupportOptions outliers;
   PatchOptions patches;
@@ -26,6 +28,8 @@ void visit(TilthOptions& o, V&& v) {
   v("min_range", o.min_range, Bounds{0, 1e4}, "[m] nearer points are dropped");
   v("max_range", o.max_range, Bounds{0.1, 1e4}, "[m] farther points are dropped");
   v("pose_at", o.pose_at, Bounds{0, 1}, "[-] instant of the pose within the scan: 0 its first point, 1 its last one");
+  v("covariance_scale", o.covariance_scale, Bounds{1e-6, 1e6},
+    "[-] of the poses' covariances: what residuals and surfaces do not show");
   v("max_patches", o.max_patches, Bounds{100, 1e9},
     "[patches] of a scan that are registered, evenly chosen; all of them go into the map");
   v("outliers", o.outliers, "[-] outlier removal, by the beams beside a point");
@@ -42,6 +46,7 @@ class TilthOdometry : public Odometry {
 
  private:
   MovingAlignment register_patches(const SurfacePatches& patches, double middle);
+  Matrix6d covariance_of(const MovingAlignment& alignment, double time);
   void insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment);
 
   TilthOptions options_;
@@ -52,6 +57,8 @@ class TilthOdometry : public Odometry {
   std::size_t registered_ = 0;  // scans in the map
   SurfacePatches first_patches_;
   double first_middle_ = 0.0;  // [s] since the stamp of the first scan
+  double begin_ = 0.0;         // [s] middle of the first scan
+  PoseUncertainty uncertainty_;
 };
 
 }  // namespace tilth

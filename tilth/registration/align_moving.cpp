@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <tilth/registration/align_moving.hpp>
 #include <tilth/registration/moving_system.hpp>
@@ -19,18 +20,17 @@ double trust(double share, double degeneracy_ratio) {
   return std::clamp((share / degeneracy_ratio - 1.0) / (kWhollyTrusted - 1.0), 0.0, 1.0);
 }
 
-Vector6d weights_of(double rotation_sigma, double translation_sigma) {
-  Vector6d weights;
-  weights << Eigen::Vector3d::Constant(1 / (rotation_sigma * rotation_sigma)),
-      Eigen::Vector3d::Constant(1 / (translation_sigma * translation_sigma));
-  return weights;
+Vector6d variances_of(double rotation_sigma, double translation_sigma) {
+  Vector6d variances;
+  variances << Eigen::Vector3d::Constant(rotation_sigma * rotation_sigma),
+      Eigen::Vector3d::Constant(translation_sigma * translation_sigma);
+  return variances;
 }
 
 // The pose is where the velocity expected leads to, give or take the accelerations that a robot is capable of.
 void add_pose_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
                     MovingSystem& system) {
-  const double half_square = 0.5 * prior.interval * prior.interval;
-  const Vector6d weights = weights_of(half_square * options.angular_acceleration, half_square * options.acceleration);
+  const Vector6d weights = pose_variances(prior, options).cwiseInverse();
   system.H.topLeftCorner<6, 6>() += weights.asDiagonal();
   system.b.head<6>() += weights.cwiseProduct(log(predicted(prior).inverse() * state.T_map_lidar));
 }
@@ -44,7 +44,7 @@ void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& opti
   const auto sigma = [&](double seen) {
     return 0.5 * prior.interval * (options.velocity_slack + options.velocity_share * seen);
   };
-  const Vector6d weights = weights_of(sigma(change.head<3>().norm()), sigma(change.tail<3>().norm()));
+  const Vector6d weights = variances_of(sigma(change.head<3>().norm()), sigma(change.tail<3>().norm())).cwiseInverse();
   Eigen::Matrix<double, 6, 12> J;
   J << -rate * Matrix6d::Identity(), Matrix6d::Identity();
   const Eigen::Matrix<double, 12, 6> Jt = J.transpose() * weights.asDiagonal();
@@ -97,6 +97,13 @@ bool step_steady(const MovingSystem& system, Vector12d& step) {
   return factor.info() == Eigen::Success && step.allFinite();
 }
 
+// Squared residuals are less than their variances promise, which are wide on purpose: the scale of the covariance.
+double residual_scale(const PatchPairs& pairs, double error) {
+  constexpr double kState = 12;
+  const double freedom = double(pairs.flat.size()) + 3 * double(pairs.shapes.size()) - kState;
+  return 2 * error / std::max(1.0, freedom);
+}
+
 TremorEvidence faded_sum(const MotionPrior& prior, const TremorEvidence& fresh) {
   constexpr double kMemory = 2.0;  // [s]
   const double old = std::exp(-prior.interval / kMemory);
@@ -104,6 +111,11 @@ TremorEvidence faded_sum(const MotionPrior& prior, const TremorEvidence& fresh) 
 }
 
 }  // namespace
+
+Vector6d pose_variances(const MotionPrior& prior, const AlignMovingOptions& options) {
+  const double half_square = 0.5 * prior.interval * prior.interval;
+  return variances_of(half_square * options.angular_acceleration, half_square * options.acceleration);
+}
 
 MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
   const Pose& T_map_last = alignment.pose.T_target_source;
@@ -145,7 +157,12 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   state.velocity += step.tail<6>();
   result.pose.converged =
       step.head<3>().norm() < options.rotation_epsilon && step.segment<3>(3).norm() < options.translation_epsilon;
-  if (result.pose.converged && trembling) result.evidence = evidence_of(*trembling, spread, state.tremor);
+  if (!result.pose.converged && result.pose.iterations < options.max_iterations) return true;
+  if (trembling) result.evidence = evidence_of(*trembling, spread, state.tremor);
+  const Matrix6d covariance =
+      trembling ? covariance_in_middle(*trembling) : Matrix6d(system.H.inverse().topLeftCorner<6, 6>());
+  result.covariance = residual_scale(pairs, result.pose.error) * covariance;
+  result.surfaces_seen_at = pairs.seen_at_sum / double(pairs.size());
   return true;
 }
 

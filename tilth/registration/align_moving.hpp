@@ -3,65 +3,17 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
-#include <tilth/core/options.hpp>
 #include <tilth/core/scan_motion.hpp>
 #include <tilth/core/scan_tremor.hpp>
 #include <tilth/core/surface_patch.hpp>
+#include <tilth/registration/align_moving_options.hpp>
 #include <tilth/registration/align_result.hpp>
 #include <tilth/registration/association.hpp>
 
 namespace tilth {
-
-struct AlignMovingOptions {
-  int max_iterations = 20;
-  double rotation_epsilon = 1e-5;
-  double translation_epsilon = 1e-4;
-  double max_distance = 2.0;
-  double renew_distance = 0.02;
-  double min_cosine = 0.8;
-  double patch_variance = 2e-4;
-  double first_kernel_width = 10.0;
-  double kernel_width = 2.0;
-  double acceleration = 10.0;
-  double angular_acceleration = 20.0;
-  double velocity_slack = 0.01;
-  double velocity_share = 0.1;
-  double tremor_rotation = 7e-4;
-  double tremor_translation = 1e-3;
-  double degeneracy_ratio = 3e-3;
-  double steady_acceleration = 1.0;
-  int min_matches = 20;
-};
-
-template <class V>
-void visit(AlignMovingOptions& o, V&& v) {
-  v("max_iterations", o.max_iterations, Bounds{1, 10000}, "[-] associations at most");
-  v("rotation_epsilon", o.rotation_epsilon, Bounds{0, 1}, "[rad] stop when a step is smaller");
-  v("translation_epsilon", o.translation_epsilon, Bounds{0, 1}, "[m] stop when a step is smaller");
-  v("max_distance", o.max_distance, Bounds{1e-3, 100}, "[m] between a patch and its match");
-  v("renew_distance", o.renew_distance, Bounds{0, 10}, "[m] that a patch moves before its match is looked up anew");
-  v("min_cosine", o.min_cosine, Bounds{-1, 1}, "[-] between the normals of a patch and its match");
-  v("patch_variance", o.patch_variance, Bounds{1e-12, 1}, "[m^2] added to the variance of every pair");
-  v("first_kernel_width", o.first_kernel_width, Bounds{1e-3, 1e9},
-    "[sigma] at which the Geman-McClure kernel begins to act in the first iteration; halved in each that follows");
-  v("kernel_width", o.kernel_width, Bounds{1e-3, 1e9}, "[sigma] the same in the last iterations");
-  v("acceleration", o.acceleration, Bounds{1e-3, 1e6}, "[m/s^2] standard deviation from constant velocity");
-  v("angular_acceleration", o.angular_acceleration, Bounds{1e-3, 1e6}, "[rad/s^2] the same of the rotation");
-  v("velocity_slack", o.velocity_slack, Bounds{1e-6, 1e6},
-    "[m/s^2, rad/s^2] by which the velocity in a scan may differ from the motion since the last one");
-  v("velocity_share", o.velocity_share, Bounds{0, 10}, "[-] the same as a share of the acceleration seen, in addition");
-  v("tremor_rotation", o.tremor_rotation, Bounds{0, 1},
-    "[rad] greatest standard deviation of the motion in a scan from constant velocity; half of it is the least; 0: "
-    "none");
-  v("tremor_translation", o.tremor_translation, Bounds{0, 1}, "[m] the same along the axes");
-  v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
-    "[-] a direction with less information than this share of the best one is degenerate: there the motion goes "
-    "on as it was in the last second, and partly so up to 1.5 times the share");
-  v("steady_acceleration", o.steady_acceleration, Bounds{1e-6, 1e6}, "[m/s^2, rad/s^2] standard deviation from that");
-  v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept");
-}
 
 /// What is known before the scan. Instants are the middles of scans.
 struct MotionPrior {
@@ -84,6 +36,10 @@ struct MovingAlignment {
   Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s] during the scan, in the LiDAR's frame
   ScanTremor tremor = {};                ///< beside that velocity
   TremorEvidence evidence = {};          ///< on the spread of tremors
+  /// [rad^2, m^2] of the pose at `middle` (right perturbation) if the surfaces were exact, with velocity and tremor
+  /// unknown; of the prior, from the last pose on, where the pairs gave none
+  Matrix6d covariance = Matrix6d::Zero();
+  std::optional<double> surfaces_seen_at = {};  ///< [s] mean time of the surfaces' patches; none without a pose
 };
 
 /// What is known after a scan, for the next one; `interval` is still to be set.
@@ -109,11 +65,13 @@ struct ShapePair {
 struct PatchPairs {
   std::vector<FlatPair> flat;
   std::vector<ShapePair> shapes;
+  double seen_at_sum = 0.0;  ///< [s] over the surfaces
 
   std::size_t size() const { return flat.size() + shapes.size(); }
   void clear() {
     flat.clear();
     shapes.clear();
+    seen_at_sum = 0.0;
   }
 };
 
@@ -130,6 +88,9 @@ struct PatchMatching {
   std::vector<SurfaceMatch> matches;  ///< one a patch
   PatchPairs pairs;                   ///< those near enough, and facing the same way
 };
+
+/// [rad^2, m^2] of the pose predicted: by the accelerations that a robot is capable of.
+Vector6d pose_variances(const MotionPrior& prior, const AlignMovingOptions& options);
 
 /// Brings `matching`, of the iteration before, up to date at `state`.
 template <SurfaceLookup Lookup>
@@ -162,6 +123,7 @@ void associate_patches(const SurfacePatches& patches, const MotionState& state, 
       joint.diagonal().array() += options.patch_variance;
       matching.pairs.shapes.push_back({point, offset, joint, lever});
     }
+    matching.pairs.seen_at_sum += surface->seen_at;
   }
 }
 
@@ -178,7 +140,9 @@ MovingAlignment align_moving(const SurfacePatches& patches, double middle, const
                              const Lookup& target, const AlignMovingOptions& options) {
   MotionState state{predicted(prior), prior.velocity, middle,
                     std::max(options.first_kernel_width, options.kernel_width)};
-  MovingAlignment result{.pose = {.T_target_source = state.T_map_lidar}, .velocity = state.velocity};
+  MovingAlignment result{.pose = {.T_target_source = state.T_map_lidar},
+                         .velocity = state.velocity,
+                         .covariance = pose_variances(prior, options).asDiagonal()};
   result.pose.candidates = patches.size();
   PatchMatching matching;
   while (result.pose.iterations < options.max_iterations && !result.pose.converged) {

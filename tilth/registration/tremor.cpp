@@ -23,16 +23,22 @@ Matrix12d line_through(double begin, double end) {
   return M;
 }
 
+// The sums in tilt, yaw and translation.
+Eigen::Vector3d by_kind(const Vector6d& values) {
+  return {values.head<2>().sum(), values[2], values.tail<3>().sum()};
+}
+
 }  // namespace
 
 TremorSpread tremor_spread(const TremorEvidence& evidence, const AlignMovingOptions& options) {
-  constexpr double kDoubt = 20, kLeastShare = 0.5;  // deviations that speak for the least spread; that of the greatest
-  const auto spread = [&](int i, double most) {
-    const double least = kLeastShare * most;
+  constexpr double kDoubt = 20;  // deviations that speak for the least spread
+  const auto spread = [&](int i, double least, double most) {
     const double seen = std::sqrt((evidence.squares[i] + kDoubt * least * least) / (evidence.freedom[i] + kDoubt));
-    return std::clamp(seen, least, most);
+    return std::min(std::max(seen, least), most);
   };
-  return {spread(0, options.tremor_rotation), spread(1, options.tremor_translation)};
+  return {spread(0, options.tremor_least_rotation, options.tremor_tilt),
+          spread(1, options.tremor_least_rotation, options.tremor_yaw),
+          spread(2, options.tremor_least_translation, options.tremor_translation)};
 }
 
 TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& smooth, const TremorSpread& spread,
@@ -50,9 +56,7 @@ TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& s
     system.H.block<12, 12>(at, 0) += HM.transpose();
     system.b.segment<12>(at) += M.transpose() * part.b;
   }
-  Vector6d weights;
-  weights << Eigen::Vector3d::Constant(1 / (spread.rotation * spread.rotation)),
-      Eigen::Vector3d::Constant(1 / (spread.translation * spread.translation));
+  const Vector6d weights = spread.variances().cwiseInverse();
   for (int i = 0; i <= kIntervals; ++i) {
     system.H.block<6, 6>(place_of(i), place_of(i)) += weights.asDiagonal();
     system.b.segment<6>(place_of(i)) += weights.cwiseProduct(state.tremor.knots[std::size_t(i)]);
@@ -69,17 +73,26 @@ bool step_trembling(const TremblingSystem& system, Vector12d& step, ScanTremor& 
   return true;
 }
 
+Matrix6d covariance_in_middle(const TremblingSystem& system) {
+  static_assert(kIntervals % 2 == 0, "a knot lies in the middle");
+  Eigen::Matrix<double, TremblingSystem::kSize, 6> pick = Eigen::Matrix<double, TremblingSystem::kSize, 6>::Zero();
+  pick.topRows<6>().setIdentity();
+  pick.middleRows<6>(place_of(kIntervals / 2)).setIdentity();
+  const Eigen::LLT<TremblingSystem::Matrix> factor(system.H);
+  const auto half = factor.matrixL().solve(pick).eval();
+  return half.transpose() * half;
+}
+
 TremorEvidence evidence_of(const TremblingSystem& system, const TremorSpread& spread, const ScanTremor& tremor) {
   const Eigen::LLT<TremblingSystem::Matrix> factor(system.H);  // H^-1 = L^-T L^-1
   const TremblingSystem::Matrix L_inverse = factor.matrixL().solve(TremblingSystem::Matrix::Identity());
   const TremblingSystem::Vector all_variances = L_inverse.colwise().squaredNorm();
+  const Vector6d prior = spread.variances();
   TremorEvidence evidence;
   for (int i = 0; i <= kIntervals; ++i) {
     const Vector6d& knot = tremor.knots[std::size_t(i)];
-    const Vector6d variances = all_variances.segment<6>(place_of(i));
-    evidence.squares += Eigen::Vector2d(knot.head<3>().squaredNorm(), knot.tail<3>().squaredNorm());
-    evidence.freedom += Eigen::Vector2d(3 - variances.head<3>().sum() / (spread.rotation * spread.rotation),
-                                        3 - variances.tail<3>().sum() / (spread.translation * spread.translation));
+    evidence.squares += by_kind(knot.cwiseAbs2());
+    evidence.freedom += by_kind(Vector6d::Ones() - all_variances.segment<6>(place_of(i)).cwiseQuotient(prior));
   }
   return evidence;
 }

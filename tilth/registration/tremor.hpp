@@ -9,12 +9,19 @@
 
 namespace tilth {
 
-/// Standard deviations of the tremor about and along each axis.
+/// Standard deviations of the tremor.
 struct TremorSpread {
-  double rotation = 0.0;     ///< [rad]
-  double translation = 0.0;  ///< [m]
+  double tilt = 0.0;         ///< [rad] about x and y of the LiDAR
+  double yaw = 0.0;          ///< [rad] about z, the axis of its spin
+  double translation = 0.0;  ///< [m] along each axis
 
-  bool none() const { return rotation == 0.0 || translation == 0.0; }
+  bool none() const { return tilt == 0.0 || yaw == 0.0 || translation == 0.0; }
+
+  Vector6d variances() const {
+    Vector6d v;
+    v << tilt * tilt, tilt * tilt, yaw * yaw, Eigen::Vector3d::Constant(translation * translation);
+    return v;
+  }
 };
 
 /// As the last scans have shown it, within the bounds of the options.
@@ -37,6 +44,9 @@ TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& s
 
 /// Moves `tremor` and gives the step of pose and velocity; false where there is no solution.
 bool step_trembling(const TremblingSystem& system, Vector12d& step, ScanTremor& tremor);
+
+/// [rad^2, m^2] of the pose in the middle of the scan, its tremor included.
+Matrix6d covariance_in_middle(const TremblingSystem& system);
 
 /// What a tremor, estimated by this system, tells about the spread.
 TremorEvidence evidence_of(const TremblingSystem& system, const TremorSpread& spread, const ScanTremor& tremor);

@@ -1,0 +1,31 @@
+#include <algorithm>
+
+#include <tilth/odometry/pose_uncertainty.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr double kStep = 0.5;  // [s] between the instants that are kept
+
+}  // namespace
+
+Matrix6d PoseUncertainty::add(const RegisteredPose& pose) {
+  const Matrix6d to_map = adjoint(pose.T_map_lidar), to_lidar = adjoint(pose.T_map_lidar.inverse());
+  if (instants_.empty()) instants_.push_back({pose.time, Matrix6d::Zero()});
+  const Matrix6d inherited = covariance_at(pose.surfaces_seen_at);
+  if (pose.time - instants_.back().time >= kStep)
+    instants_.push_back({pose.time, inherited + to_map * pose.covariance * to_map.transpose()});
+  return pose.covariance + to_lidar * inherited * to_lidar.transpose();
+}
+
+Matrix6d PoseUncertainty::covariance_at(double time) const {
+  const auto after = std::upper_bound(instants_.begin(), instants_.end(), time,
+                                      [](double t, const Instant& instant) { return t < instant.time; });
+  if (after == instants_.begin()) return instants_.front().covariance_in_map;
+  if (after == instants_.end()) return instants_.back().covariance_in_map;
+  const auto before = after - 1;
+  const double share = (time - before->time) / (after->time - before->time);
+  return before->covariance_in_map + share * (after->covariance_in_map - before->covariance_in_map);
+}
+
+}  // namespace tilth

@@ -1,0 +1,62 @@
+// Options of the registration of a scan that was taken in motion.
+#pragma once
+
+#include <tilth/core/options.hpp>
+
+namespace tilth {
+
+struct AlignMovingOptions {
+  int max_iterations = 20;
+  double rotation_epsilon = 1e-5;
+  double translation_epsilon = 1e-4;
+  double max_distance = 2.0;
+  double renew_distance = 0.02;
+  double min_cosine = 0.8;
+  double patch_variance = 2e-4;
+  double first_kernel_width = 10.0;
+  double kernel_width = 2.0;
+  double acceleration = 10.0;
+  double angular_acceleration = 20.0;
+  double velocity_slack = 0.01;
+  double velocity_share = 0.1;
+  double tremor_tilt = 5e-3;
+  double tremor_yaw = 1e-3;
+  double tremor_translation = 2e-3;
+  double tremor_least_rotation = 3.5e-4;
+  double tremor_least_translation = 5e-4;
+  double degeneracy_ratio = 3e-3;
+  double steady_acceleration = 1.0;
+  int min_matches = 20;
+};
+
+template <class V>
+void visit(AlignMovingOptions& o, V&& v) {
+  v("max_iterations", o.max_iterations, Bounds{1, 10000}, "[-] associations at most");
+  v("rotation_epsilon", o.rotation_epsilon, Bounds{0, 1}, "[rad] stop when a step is smaller");
+  v("translation_epsilon", o.translation_epsilon, Bounds{0, 1}, "[m] stop when a step is smaller");
+  v("max_distance", o.max_distance, Bounds{1e-3, 100}, "[m] between a patch and its match");
+  v("renew_distance", o.renew_distance, Bounds{0, 10}, "[m] that a patch moves before its match is looked up anew");
+  v("min_cosine", o.min_cosine, Bounds{-1, 1}, "[-] between the normals of a patch and its match");
+  v("patch_variance", o.patch_variance, Bounds{1e-12, 1}, "[m^2] added to the variance of every pair");
+  v("first_kernel_width", o.first_kernel_width, Bounds{1e-3, 1e9},
+    "[sigma] at which the Geman-McClure kernel begins to act in the first iteration; halved in each that follows");
+  v("kernel_width", o.kernel_width, Bounds{1e-3, 1e9}, "[sigma] the same in the last iterations");
+  v("acceleration", o.acceleration, Bounds{1e-3, 1e6}, "[m/s^2] standard deviation from constant velocity");
+  v("angular_acceleration", o.angular_acceleration, Bounds{1e-3, 1e6}, "[rad/s^2] the same of the rotation");
+  v("velocity_slack", o.velocity_slack, Bounds{1e-6, 1e6},
+    "[m/s^2, rad/s^2] by which the velocity in a scan may differ from the motion since the last one");
+  v("velocity_share", o.velocity_share, Bounds{0, 10}, "[-] the same as a share of the acceleration seen, in addition");
+  v("tremor_tilt", o.tremor_tilt, Bounds{0, 1},
+    "[rad] greatest standard deviation of roll and pitch in a scan from constant velocity");
+  v("tremor_yaw", o.tremor_yaw, Bounds{0, 1}, "[rad] the same about the axis of the LiDAR's spin");
+  v("tremor_translation", o.tremor_translation, Bounds{0, 1}, "[m] the same along the axes");
+  v("tremor_least_rotation", o.tremor_least_rotation, Bounds{0, 1}, "[rad] least standard deviation; 0: no tremor");
+  v("tremor_least_translation", o.tremor_least_translation, Bounds{0, 1}, "[m] the same along the axes");
+  v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
+    "[-] a direction with less information than this share of the best one is degenerate: there the motion goes "
+    "on as it was in the last second, and partly so up to 1.5 times the share");
+  v("steady_acceleration", o.steady_acceleration, Bounds{1e-6, 1e6}, "[m/s^2, rad/s^2] standard deviation from that");
+  v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept");
+}
+
+}  // namespace tilth
