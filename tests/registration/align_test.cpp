@@ -38,7 +38,7 @@ const auto kLine = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q, std::s
 const auto kDistribution = [](const Eigen::Vector3d& p, const Eigen::Vector3d& q, std::size_t i) {
   Eigen::Vector3d variance(1, 1, 1);
   variance[long(i % 3)] = 1e-4;
-  return DistributionToDistribution{p, q, whitening_of(variance.asDiagonal())};
+  return DistributionToDistribution{p, q, inverse_of(variance.asDiagonal())};
 };
 
 template <class Make>
@@ -89,9 +89,9 @@ TEST(Align, CountsTheDirectionsThatWallsLeaveOpen) {
 }
 
 TEST(Align, NormalEquationsAreThoseOfTheJacobians) {
-  const Eigen::Matrix3d W = whitening_of(Eigen::Vector3d(0.1, 0.4, 0.2).asDiagonal());
+  const Eigen::Matrix3d information = inverse_of(Eigen::Vector3d(0.1, 0.4, 0.2).asDiagonal());
   const auto pairs = pairs_of(40, 0.1, [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, std::size_t) {
-    return DistributionToDistribution{p, q, W};
+    return DistributionToDistribution{p, q, information};
   });
   const RobustKernel kernel{Kernel::geman_mcclure, 2};
   LinearSystem system;
@@ -154,8 +154,8 @@ TEST(Association, InformationIsRebuiltWithTheRotation) {
   const auto lookup = [&](const Eigen::Vector3d&, const Eigen::Vector3d&, bool) { return &target; };
   const Pose T(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
   const auto pairs = associate_distributions(source, T, lookup, {.lambda = 0.5});
-  const Eigen::Matrix3d information = pairs[0].whitening.transpose() * pairs[0].whitening;
-  EXPECT_LT((information.inverse().diagonal() - Eigen::Vector3d(1 + 1 + 1, 4 + 2 + 1, 1 + 3 + 1)).norm(), 1e-9);
+  EXPECT_LT((pairs[0].information.inverse().diagonal() - Eigen::Vector3d(1 + 1 + 1, 4 + 2 + 1, 1 + 3 + 1)).norm(),
+            1e-9);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Every residual against numeric derivatives, by one harness; the weights of the kernels; the whitening.
+// Every residual against numeric derivatives, by one harness; the weights of the kernels; the inverse of covariances.
 #include <random>
 
 #include <gtest/gtest.h>
@@ -37,13 +37,23 @@ TEST(Residual, JacobiansMatchNumericOnes) {
     EXPECT_LT(jacobian_gap(PointToPoint{p, q}, T), 1e-6);
     EXPECT_LT(jacobian_gap(PointToPlane{p, q, n}, T), 1e-6);
     EXPECT_LT(jacobian_gap(PointToLine{p, q, n}, T), 1e-6);
-    EXPECT_LT(jacobian_gap(DistributionToDistribution{p, q, whitening_of(some_covariance())}, T), 1e-6);
+    EXPECT_LT(jacobian_gap(DistributionToDistribution{p, q, inverse_of(some_covariance())}, T), 1e-6);
   }
 }
 
-TEST(Residual, WhiteningIsTheRootOfTheInformation) {
-  const Eigen::Matrix3d W = whitening_of(some_covariance());
-  EXPECT_LT((W.transpose() * W - some_covariance().inverse()).norm(), 1e-9 * some_covariance().inverse().norm());
+TEST(Residual, InverseOfACovariance) {
+  EXPECT_LT((inverse_of(some_covariance()) * some_covariance() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+}
+
+TEST(Residual, TermsOfGaussiansAreThoseOfTheirRoot) {
+  const DistributionToDistribution pair{{1, 2, 3}, {2, 0, 1}, inverse_of(some_covariance())};
+  const Pose T = exp((Vector6d() << 0.1, 0.2, -0.3, 1, 2, 3).finished());
+  const ResidualTerms terms = terms_of(pair, T);
+  const Eigen::Matrix3d D = pair.derivative();
+  const Eigen::Vector3d e = pair.residual(T);
+  EXPECT_NEAR(terms.squared, e.squaredNorm(), 1e-12 * e.squaredNorm());
+  EXPECT_LT((terms.gradient - D.transpose() * e).norm(), 1e-12 * terms.gradient.norm());
+  EXPECT_LT((terms.information - D.transpose() * D).norm(), 1e-12 * terms.information.norm());
 }
 
 TEST(RobustKernel, WeightsFallFromOne) {

@@ -21,6 +21,7 @@ class ScanMotion {
       const Pose T = exp(tremor.at(double(i) / kKnots)) * exp(velocity * (step_ * double(i) - reference_time));
       R_reference_knot_[i] = T.linear();
       t_reference_knot_[i] = T.translation();
+      turn_[i] = T.linear() * skew(angular_);
     }
   }
 
@@ -31,7 +32,7 @@ class ScanMotion {
     const Eigen::Matrix3d& R = R_reference_knot_[i];
     Pose T_reference_time = Pose::Identity();
     T_reference_time.translation() = t_reference_knot_[i] + rest * (R * linear_);
-    T_reference_time.linear() = R + rest * (R * skew(angular_));
+    T_reference_time.linear() = R + rest * turn_[i];
     return T_reference_time;
   }
 
@@ -56,6 +57,7 @@ class ScanMotion {
   Eigen::Vector3d angular_, linear_;
   double step_;
   std::array<Eigen::Matrix3d, kKnots + 1> R_reference_knot_;
+  std::array<Eigen::Matrix3d, kKnots + 1> turn_;  // [1/s] derivative of that
   std::array<Eigen::Vector3d, kKnots + 1> t_reference_knot_;
 };
 

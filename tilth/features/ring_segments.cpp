@@ -159,23 +159,6 @@ void cut(const Sightings& s, double turn, const SegmentOptions& options, std::ve
 
 }  // namespace
 
-void Moments::add(const Moments& other) {
-  const double total = count + other.count, share = other.count / total;
-  const Eigen::Vector3d d = other.mean - mean;
-  Vector6d products;
-  products << d.x() * d.x(), d.y() * d.y(), d.z() * d.z(), d.x() * d.y(), d.y() * d.z(), d.z() * d.x();
-  scatter += other.scatter + (count * share) * products;
-  mean += d * share;
-  count = total;
-}
-
-Eigen::Matrix3d Moments::covariance() const {
-  const Vector6d c = scatter * (1 / std::max(1.0, count - 1));
-  Eigen::Matrix3d covariance;
-  covariance << c[0], c[3], c[5], c[3], c[1], c[4], c[5], c[4], c[2];
-  return covariance;
-}
-
 RingSegments ring_segments(const PointCloud& cloud, const RingLayout& rings, std::span<const std::uint8_t> keep,
                            const SegmentOptions& options) {
   RingSegments result;

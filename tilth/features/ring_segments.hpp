@@ -6,11 +6,9 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include <tilth/core/options.hpp>
 #include <tilth/core/point_cloud.hpp>
-#include <tilth/core/se3.hpp>
+#include <tilth/features/moments.hpp>
 #include <tilth/search/ring_layout.hpp>
 
 namespace tilth {
@@ -29,16 +27,6 @@ void visit(SegmentOptions& o, V&& v) {
   v("jump_share", o.jump_share, Bounds{0, 1}, "[-] step in range that ends a run, as a share of the range, at least");
   v("min_points", o.min_points, Bounds{2, 1000}, "[points] fewer are no patch");
 }
-
-/// Sums of points about their mean: second moments xx, yy, zz, xy, yz, zx.
-struct Moments {
-  double count = 0;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  ///< [m]
-  Vector6d scatter = Vector6d::Zero();             ///< [m^2] sum of the products of p - mean
-
-  void add(const Moments& other);
-  Eigen::Matrix3d covariance() const;  ///< [m^2]
-};
 
 struct RingSegment {
   Moments moments;

@@ -42,17 +42,28 @@ class ColumnWalk {
   std::array<std::size_t, 5> cursors_{};
 };
 
+// A plane that may lie through a run and runs beside it.
+struct Candidate {
+  Moments moments;
+  Eigen::Vector3d variances = Eigen::Vector3d::Zero();  // [m^2] ascending
+};
+
 // Looks for the flattest plane through a run and runs beside it.
 class PatchFitter {
  public:
   explicit PatchFitter(const PatchOptions& options) : options_(options) {}
 
-  bool fit(const Column& column, SurfacePatch& patch) {
+  // A pole, which is no plane whatever lies beside it.
+  bool is_pole(const RingSegment& self) const {
+    return self.free && self.width * self.moments.mean.norm() < options_.pole_width;
+  }
+
+  // `first` is the plane with the runs just below and above; nullptr where one is missing.
+  bool fit(const Column& column, const Candidate* first, SurfacePatch& patch) {
     const RingSegment& self = *column[kSelf];
     const double range = self.moments.mean.norm();
-    const bool pole = self.free && self.width * range < options_.pole_width;
-    if (!pole && fit_plane(column, range)) {
-      patch = shaped(self, true);
+    if (!is_pole(self) && fit_plane(column, first, range)) {
+      patch = shaped(self, flattest_, true);
       return true;
     }
     Moments moments = self.moments;
@@ -61,22 +72,22 @@ class PatchFitter {
       if (column[i] && (column[i]->moments.mean - self.moments.mean).norm() < reach) moments.add(column[i]->moments);
     }
     if (moments.count == self.moments.count) return false;
-    covariance_ = moments.covariance();
-    patch = shaped(self, false);
+    flattest_moments_ = moments;
+    patch = shaped(self, spreads(moments.covariance())[0], false);
     return true;
   }
 
  private:
   static double square(double x) { return x * x; }
 
-  bool fit_plane(const Column& column, double range) {
+  bool fit_plane(const Column& column, const Candidate* first, double range) {
     constexpr double kFlatAtOnce = 0.5;  // of the greatest thickness: no other beams need be asked
     flattest_ = square(options_.max_thickness);
-    bool found = false;
-    for (const std::array<std::size_t, 3>& three : {std::array<std::size_t, 3>{1, 2, 3}, {0, 1, 2}, {2, 3, 4}}) {
-      if (column[three[0]] && column[three[1]] && column[three[2]])
-        found |= is_flatter(column[three[0]], column[three[1]], column[three[2]]);
-      if (found && flattest_ < square(kFlatAtOnce * options_.max_thickness)) return true;
+    bool found = first != nullptr && is_flatter(*first);
+    const auto flat_enough = [&] { return found && flattest_ < square(kFlatAtOnce * options_.max_thickness); };
+    for (const std::size_t i : {std::size_t{0}, kSelf}) {
+      if (flat_enough()) return true;
+      if (column[i] && column[i + 1] && column[i + 2]) found |= is_flatter(column[i], column[i + 1], column[i + 2]);
     }
     if (found) return true;
     const double reach = std::max(options_.max_gap, options_.max_gap_share * range);
@@ -89,23 +100,27 @@ class PatchFitter {
 
   template <class... Others>
   bool is_flatter(const RingSegment* first, const Others*... others) {
+    Candidate candidate{.moments = first->moments};
+    (candidate.moments.add(others->moments), ...);
+    candidate.variances = spreads(candidate.moments.covariance());
+    return is_flatter(candidate);
+  }
+
+  bool is_flatter(const Candidate& candidate) {
     constexpr double kFlat = 9, kLeastWidth = 4e-4;  // of variances; [m^2]
-    Moments moments = first->moments;
-    (moments.add(others->moments), ...);
-    const Eigen::Matrix3d covariance = moments.covariance();
-    const Eigen::Vector3d variances = spreads(covariance);
+    const Eigen::Vector3d& variances = candidate.variances;
     if (variances[0] > flattest_ || variances[1] < std::max(kFlat * variances[0], kLeastWidth)) return false;
     flattest_ = variances[0];
-    covariance_ = covariance;
+    flattest_moments_ = candidate.moments;
     return true;
   }
 
-  // The patch of the run and of covariance_.
-  SurfacePatch shaped(const RingSegment& self, bool flat) {
-    const double least = flat ? flattest_ : spreads(covariance_)[0];
-    const Eigen::Vector3d normal = direction_of_least(covariance_, least);
+  // The patch of the run, shaped as flattest_moments_ are, whose least variance is given.
+  SurfacePatch shaped(const RingSegment& self, double least, bool flat) const {
+    const Eigen::Matrix3d covariance = flattest_moments_.covariance();
+    const Eigen::Vector3d normal = direction_of_least(covariance, least);
     return {.mean = self.moments.mean,
-            .covariance = covariance_,
+            .covariance = covariance,
             .normal = normal.dot(self.moments.mean) > 0 ? Eigen::Vector3d(-normal) : normal,
             .time = self.time,
             .thickness = float(std::max(0.0, least)),
@@ -113,8 +128,40 @@ class PatchFitter {
   }
 
   const PatchOptions& options_;
-  Eigen::Matrix3d covariance_;
-  double flattest_ = 0;
+  Moments flattest_moments_;
+  double flattest_ = 0;  // [m^2]
+};
+
+// The runs of one ring, what lies beside them, and the first plane to be tried for each, all at once.
+struct RingColumns {
+  std::vector<Column> columns;
+  std::vector<Candidate> first;
+  std::vector<std::uint8_t> has_first;
+  std::vector<Vector6d> covariances;
+  std::vector<Eigen::Vector3d> variances;
+
+  void fill(const RingSegments& rings, std::size_t ring, const PatchFitter& fitter) {
+    ColumnWalk walk(rings, ring);
+    columns.clear();
+    first.clear();
+    has_first.clear();
+    covariances.clear();
+    for (const RingSegment& segment : rings.ring(ring)) {
+      const Column& column = columns.emplace_back(walk.at(segment));
+      has_first.push_back(column[kBelow] != nullptr && column[kAbove] != nullptr && !fitter.is_pole(segment));
+      Moments moments;
+      if (has_first.back()) {
+        moments = column[kBelow]->moments;
+        moments.add(segment.moments);
+        moments.add(column[kAbove]->moments);
+      }
+      first.push_back({.moments = moments});
+      covariances.push_back(moments.covariance_entries());
+    }
+    variances.resize(covariances.size());
+    spreads(covariances, variances);
+    for (std::size_t i = 0; i < first.size(); ++i) first[i].variances = variances[i];
+  }
 };
 
 }  // namespace
@@ -125,11 +172,12 @@ SurfacePatches surface_patches(const PointCloud& cloud, const RingLayout& layout
   SurfacePatches patches;
   patches.reserve(rings.segments.size());
   PatchFitter fitter(options);
+  RingColumns ring;
   for (std::size_t r = 0; r < rings.rings(); ++r) {
-    ColumnWalk walk(rings, r);
+    ring.fill(rings, r, fitter);
     SurfacePatch patch;
-    for (const RingSegment& segment : rings.ring(r)) {
-      if (!fitter.fit(walk.at(segment), patch)) continue;
+    for (std::size_t i = 0; i < ring.columns.size(); ++i) {
+      if (!fitter.fit(ring.columns[i], ring.has_first[i] ? &ring.first[i] : nullptr, patch)) continue;
       patch.ring = std::uint16_t(r);
       patches.push_back(patch);
     }

@@ -1,21 +1,20 @@
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <tilth/core/least_spread.hpp>
+#include <tilth/core/rotated_covariance.hpp>
 #include <tilth/map/patch_map.hpp>
+#include <tilth/map/voxel_blocks.hpp>
 
 namespace tilth {
 namespace {
 
 // Surfaces are known along their normal only: this variance stands for "anywhere in the voxel" along them [m^2].
 constexpr double kAlongSurface = 1.0;
-
-// The steps in a key from a voxel to itself and its seven neighbours upwards.
-constexpr std::array<std::int64_t, 8> kEightVoxels = [] {
-  constexpr std::int64_t x = voxel_key_step(0), y = voxel_key_step(1), z = voxel_key_step(2);
-  return std::array<std::int64_t, 8>{0, x, y, x + y, z, x + z, y + z, x + y + z};
-}();
 
 // Shares by which a Gaussian's patches grow before it is made anew.
 constexpr double kStale = 1.1;
@@ -28,36 +27,84 @@ int facing(const Eigen::Vector3d& normal, bool flat) {
   return 2 * axis + (normal[axis] > 0);
 }
 
+// Where the six entries of the upper half of a symmetric matrix stand.
+constexpr std::array<int, 6> kRow{0, 0, 0, 1, 1, 2}, kColumn{0, 1, 2, 1, 2, 2};
+
+Vector6d upper_half(const Eigen::Matrix3d& m) {
+  Vector6d half;
+  half << m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2);
+  return half;
+}
+
+// Has all of `value` fetched from memory.
+template <class T>
+void prefetch(const T& value) {
+  constexpr std::size_t kLine = 64;
+  for (std::size_t at = 0; at < sizeof(T); at += kLine) __builtin_prefetch(reinterpret_cast<const char*>(&value) + at);
+}
+
 }  // namespace
 
+// In groups, so that what one patch needs of the memory is on its way while others are worked on.
 void PatchMap::insert(const SurfacePatches& patches, const Pose& T_map_lidar, double time) {
+  constexpr std::size_t kGroup = 16;
   const Eigen::Matrix3d R = T_map_lidar.linear();
-  for (const SurfacePatch& patch : patches) {
-    const Eigen::Vector3d mean = T_map_lidar * patch.mean, normal = R * patch.normal;
-    const std::int64_t key = voxel_key(voxel_of(mean / options_.voxel_size), facing(normal, patch.flat));
-    const std::uint32_t number = table_.insert(key);
-    if (number == surfaces_.size()) {
-      surfaces_.push_back({.flat = patch.flat});
-      sums_.push_back({.key = key});
+  std::array<Placed, kGroup> group;
+  for (std::size_t begin = 0; begin < patches.size(); begin += kGroup) {
+    const std::size_t count = std::min(kGroup, patches.size() - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+      const SurfacePatch& patch = patches[begin + i];
+      Placed& placed = group[i];
+      placed.mean = T_map_lidar * patch.mean;
+      placed.normal = R * patch.normal;
+      const Eigen::Vector3i voxel = voxel_of(placed.mean / options_.voxel_size);
+      placed.cell = cell_of(voxel);
+      placed.block_key = voxel_key(block_of(voxel), facing(placed.normal, patch.flat));
+      table_.prefetch(placed.block_key);
     }
-    Sums& sums = sums_[number];
-    if (sums.count >= std::uint32_t(options_.max_patches)) continue;
-    MapSurface& surface = surfaces_[number];
-    ++sums.count;
-    surface.seen_at += (float(time) - surface.seen_at) / float(sums.count);
-    const Eigen::Vector3d before = mean - surface.mean;
-    surface.mean += before / double(sums.count);
-    sums.scatter.noalias() += before * (mean - surface.mean).transpose();  // Welford
-    sums.covariances.noalias() += R * patch.covariance * R.transpose();
-    sums.normals += normal;
-    if (double(sums.count) < kStale * double(sums.fresh_count)) continue;
-    refresh(sums, surface);
-    sums.fresh_count = sums.count;
+    for (std::size_t i = 0; i < count; ++i)
+      group[i].number = number_of(group[i].block_key, group[i].cell, patches[begin + i].flat);
+    for (std::size_t i = 0; i < count; ++i) add(group[i], patches[begin + i], R, time);
   }
 }
 
+std::uint32_t PatchMap::number_of(std::int64_t block_key, std::uint32_t cell, bool flat) {
+  const std::uint32_t block_number = table_.insert(block_key);
+  if (block_number == blocks_.size()) blocks_.push_back({.key = block_key});
+  Block& block = blocks_[block_number];
+  if ((block.filled >> cell & 1) == 0) {
+    block.filled |= std::uint8_t(1 << cell);
+    block.surfaces[cell] = std::uint32_t(surfaces_.size());
+    surfaces_.push_back({.flat = flat});
+    sums_.push_back({.block = block_number, .cell = cell});
+  }
+  const std::uint32_t number = block.surfaces[cell];
+  prefetch(sums_[number]);
+  prefetch(surfaces_[number]);
+  return number;
+}
+
+void PatchMap::add(const Placed& placed, const SurfacePatch& patch, const Eigen::Matrix3d& R_map_lidar, double time) {
+  Sums& sums = sums_[placed.number];
+  if (sums.count >= std::uint32_t(options_.max_patches)) return;
+  MapSurface& surface = surfaces_[placed.number];
+  ++sums.count;
+  surface.seen_at += (float(time) - surface.seen_at) / float(sums.count);
+  const Eigen::Vector3d before = placed.mean - surface.mean;
+  surface.mean += before / double(sums.count);
+  const Eigen::Vector3d after = placed.mean - surface.mean;
+  sums.scatter += upper_half(rotated(R_map_lidar, patch.covariance));
+  for (int k = 0; k < 6; ++k) sums.scatter[k] += before[kRow[k]] * after[kColumn[k]];  // Welford
+  sums.normals += placed.normal;
+  if (double(sums.count) < kStale * double(sums.fresh_count)) return;
+  refresh(sums, surface);
+  sums.fresh_count = sums.count;
+}
+
 void PatchMap::refresh(const Sums& sums, MapSurface& surface) const {
-  const Eigen::Matrix3d covariance = (sums.scatter + sums.covariances) / double(sums.count);
+  Eigen::Matrix3d covariance;
+  for (int k = 0; k < 6; ++k)
+    covariance(kRow[k], kColumn[k]) = covariance(kColumn[k], kRow[k]) = sums.scatter[k] / double(sums.count);
   const double least = spreads(covariance)[0];
   const Eigen::Vector3d normal = direction_of_least(covariance, least);
   surface.normal = normal.dot(sums.normals) < 0 ? Eigen::Vector3d(-normal) : normal;
@@ -70,16 +117,26 @@ void PatchMap::refresh(const Sums& sums, MapSurface& surface) const {
 const MapSurface* PatchMap::find(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, bool flat) const {
   const int kind = facing(normal, flat);
   const Eigen::Vector3i corner = voxel_of(point / options_.voxel_size - Eigen::Vector3d::Constant(0.5));
+  const EightVoxels around(corner, kind);
+  for (std::size_t i = 0; i < around.blocks; ++i) table_.prefetch(around.block_keys[i]);
+  std::array<std::uint32_t, 8> there;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < around.blocks; ++i) {
+    const std::uint32_t number = table_.find(around.block_keys[i]);
+    if (number == VoxelTable::kNone) continue;
+    const Block& block = blocks_[number];
+    for (unsigned cells = block.filled & around.cells[i]; cells != 0; cells &= cells - 1)
+      there[count++] = block.surfaces[std::size_t(std::countr_zero(cells))];
+  }
+  for (std::size_t i = 0; i < count; ++i) prefetch(surfaces_[there[i]]);
   const MapSurface* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  const std::int64_t first_key = voxel_key(corner, kind);
-  for (const std::int64_t step : kEightVoxels) {
-    const std::uint32_t number = table_.find(first_key + step);
-    if (number == VoxelTable::kNone) continue;
-    const double squared = (surfaces_[number].mean - point).squaredNorm();
+  for (std::size_t i = 0; i < count; ++i) {
+    const MapSurface& surface = surfaces_[there[i]];
+    const double squared = (surface.mean - point).squaredNorm();
     if (squared >= least) continue;
     least = squared;
-    nearest = &surfaces_[number];
+    nearest = &surface;
   }
   return nearest;
 }
@@ -95,17 +152,18 @@ void PatchMap::crop(const Eigen::Vector3d& center) {
   constexpr double kMoved = 0.1;  // of the range: how far the center moves before voxels are looked through
   if ((center - last_center_).norm() < kMoved * options_.max_range) return;
   last_center_ = center;
-  std::vector<MapSurface> near_surfaces;
-  std::vector<Sums> near_sums;
+  const std::vector<Block> blocks = std::exchange(blocks_, {});
+  const std::vector<MapSurface> surfaces = std::exchange(surfaces_, {});
+  const std::vector<Sums> sums = std::exchange(sums_, {});
   table_.clear();
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    if ((surfaces_[i].mean - center).norm() > options_.max_range) continue;
-    table_.insert(sums_[i].key);
-    near_surfaces.push_back(surfaces_[i]);
-    near_sums.push_back(sums_[i]);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if ((surfaces[i].mean - center).norm() > options_.max_range) continue;
+    const std::uint32_t number = number_of(blocks[sums[i].block].key, sums[i].cell, surfaces[i].flat);
+    const std::uint32_t block = sums_[number].block;
+    surfaces_[number] = surfaces[i];
+    sums_[number] = sums[i];
+    sums_[number].block = block;
   }
-  surfaces_.swap(near_surfaces);
-  sums_.swap(near_sums);
 }
 
 }  // namespace tilth

@@ -4,6 +4,7 @@
 // patches.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -63,18 +64,36 @@ class PatchMap {
   const std::vector<MapSurface>& surfaces() const { return surfaces_; }
 
  private:
-  struct Sums {
+  /// Two voxels an edge, of what faces one way: neighbours are found together.
+  struct Block {
     std::int64_t key;
-    std::uint32_t count = 0, fresh_count = 0;               ///< patches; and when the surface was last made
-    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();      ///< of the patches' means
-    Eigen::Matrix3d covariances = Eigen::Matrix3d::Zero();  ///< sum over the patches
-    Eigen::Vector3d normals = Eigen::Vector3d::Zero();      ///< sum over the patches
+    std::array<std::uint32_t, 8> surfaces = {};  ///< numbers; by the voxel's x + 2 y + 4 z in the block
+    std::uint8_t filled = 0;                     ///< a bit for each voxel that has one
   };
 
+  struct Sums {
+    std::uint32_t block, cell;                          ///< where its number stands
+    std::uint32_t count = 0, fresh_count = 0;           ///< patches; and when the surface was last made
+    Vector6d scatter = Vector6d::Zero();                ///< of the patches' means, and sum of their covariances
+    Eigen::Vector3d normals = Eigen::Vector3d::Zero();  ///< sum over the patches
+  };
+
+  /// A patch of a scan, in the map's frame.
+  struct Placed {
+    std::int64_t block_key;
+    std::uint32_t cell;
+    Eigen::Vector3d mean, normal;
+    std::uint32_t number;  ///< of its surface
+  };
+
+  /// Of the surface in a cell of a block; a new one where there is none.
+  std::uint32_t number_of(std::int64_t block_key, std::uint32_t cell, bool flat);
+  void add(const Placed& placed, const SurfacePatch& patch, const Eigen::Matrix3d& R_map_lidar, double time);
   void refresh(const Sums& sums, MapSurface& surface) const;
 
   PatchMapOptions options_;
-  VoxelTable table_;
+  VoxelTable table_;  // of blocks_
+  std::vector<Block> blocks_;
   std::vector<MapSurface> surfaces_;
   std::vector<Sums> sums_;  // of surfaces_
   Eigen::Vector3d last_center_ = Eigen::Vector3d::Zero();

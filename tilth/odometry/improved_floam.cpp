@@ -31,7 +31,7 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   const std::vector<std::uint8_t> keep = keep_inliers(cloud, rings_, neighbors_, options_.outliers);
   result.filtered = select_kept(cloud, keep);
   begin_stage("features");
-  const SurfacePatches patches = surface_patches(cloud, rings_, keep, options_.patches);
+  SurfacePatches patches = surface_patches(cloud, rings_, keep, options_.patches);
   const PatchFeatures features = patch_features(patches, options_.features);
 
   begin_stage("registration");
@@ -48,7 +48,7 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   }
   begin_stage("map");
   motion_.update(result.stamp, T_world_middle);
-  map_.insert(deskew(patches, result.velocity, middle), T_world_middle);
+  map_.insert(deskew(std::move(patches), result.velocity, middle), T_world_middle);
   map_.crop(T_world_middle.translation());
 
   result.T_world_lidar = T_world_middle;

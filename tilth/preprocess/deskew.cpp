@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <tilth/core/rotated_covariance.hpp>
 #include <tilth/core/scan_motion.hpp>
 #include <tilth/preprocess/deskew.hpp>
 
@@ -16,7 +17,7 @@ SurfacePatches deskew(SurfacePatches patches, const Vector6d& velocity, double r
     const Pose T = motion.at(patch.time);
     patch.mean = T * patch.mean;
     patch.normal = T.linear() * patch.normal;
-    patch.covariance = T.linear() * patch.covariance * T.linear().transpose();
+    patch.covariance = rotated(T.linear(), patch.covariance);
   }
   return patches;
 }

@@ -44,6 +44,17 @@ void hold_weak_directions(const LinearSystem& system, double min_information, Al
 
 }  // namespace
 
+void add_to(LinearSystem& system, const PairSums& sums, const Eigen::Matrix3d& R_target_source) {
+  const Eigen::Matrix3d &R = R_target_source, Rt = R.transpose();
+  const Eigen::Matrix3d mixed = Rt * sums.mixed * R;
+  system.H.topLeftCorner<3, 3>() += Rt * sums.turn * R;
+  system.H.topRightCorner<3, 3>() += mixed;
+  system.H.bottomLeftCorner<3, 3>() += mixed.transpose();
+  system.H.bottomRightCorner<3, 3>() += Rt * sums.shift * R;
+  system.b.head<3>() += Rt * sums.torque;
+  system.b.tail<3>() += Rt * sums.force;
+}
+
 StepOutcome step_align(const AlignOptions& options, AlignState& state, AlignResult& result) {
   const LinearSystem system = restricted(state.system, options);
   Vector6d step;

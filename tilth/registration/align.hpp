@@ -68,39 +68,43 @@ struct LinearSystem {
   std::size_t matches = 0;
 };
 
-/// v x each column of M.
-inline Eigen::Matrix3d cross_columns(const Eigen::Vector3d& v, const Eigen::Matrix3d& M) {
-  Eigen::Matrix3d crossed;
-  for (int column = 0; column < 3; ++column) crossed.col(column) = v.cross(M.col(column));
-  return crossed;
-}
+/// Sums over pairs as the target sees them: with M = D^T D of a pair and r its lever, the point less the origin of the
+/// source, the moments of M that make up H, and b.
+struct PairSums {
+  Eigen::Matrix3d shift = Eigen::Matrix3d::Zero();  ///< M
+  Eigen::Matrix3d mixed = Eigen::Matrix3d::Zero();  ///< skew(r) M
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();   ///< skew(r) M skew(r)^T
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
 
-/// Adds the pairs at T. With D the derivative by the point as the source sees it, the Jacobian is D [-skew(p), I]: D^T
-/// D is all that a pair has to give, and the moments of it follow.
+  void add(const Eigen::Matrix3d& M, const Eigen::Vector3d& r, const Eigen::Vector3d& g) {
+    Eigen::Matrix3d rM;
+    for (int i = 0; i < 3; ++i) rM.col(i) = r.cross(M.col(i));
+    shift += M;
+    mixed += rM;
+    for (int i = 0; i < 3; ++i) turn.col(i) += r.cross(rM.row(i));
+    torque += r.cross(g);
+    force += g;
+  }
+};
+
+/// Adds what the sums say about a pose with this rotation, perturbed on its right.
+void add_to(LinearSystem& system, const PairSums& sums, const Eigen::Matrix3d& R_target_source);
+
+/// Adds the pairs at T. With D the derivative by the point, the Jacobian is D R [-skew(p), I] = D [-skew(R p), I] R:
+/// D^T D is all that a pair has to give, and R waits for the sums.
 template <Residual R>
 void accumulate(LinearSystem& system, std::span<const R> residuals, const Pose& T, const RobustKernel& kernel) {
   const Eigen::Matrix3d R_target_source = T.linear();
-  Eigen::Matrix3d shift = Eigen::Matrix3d::Zero(), mixed = shift, turn = shift;
+  PairSums sums;
   for (const R& r : residuals) {
-    const auto e = r.residual(T).eval();
-    const auto D = (r.derivative() * R_target_source).eval();
-    const double squared = e.squaredNorm(), w = kernel.weight(squared);
-    const Eigen::Vector3d& p = r.source;
-    const Eigen::Matrix3d M = w * (D.transpose() * D);
-    const Eigen::Matrix3d pM = cross_columns(p, M);
-    shift += M;
-    mixed += pM;
-    turn += cross_columns(p, pM.transpose());
-    const Eigen::Vector3d g = w * (D.transpose() * e);
-    system.b.template head<3>() += p.cross(g);
-    system.b.template tail<3>() += g;
-    system.error += 0.5 * w * squared;
-    system.squared_range += p.squaredNorm();
+    const ResidualTerms terms = terms_of(r, T);
+    const double w = kernel.weight(terms.squared);
+    sums.add(w * terms.information, R_target_source * r.source, w * terms.gradient);
+    system.error += 0.5 * w * terms.squared;
+    system.squared_range += r.source.squaredNorm();
   }
-  system.H.template topLeftCorner<3, 3>() += turn;
-  system.H.template topRightCorner<3, 3>() += mixed;
-  system.H.template bottomLeftCorner<3, 3>() += mixed.transpose();
-  system.H.template bottomRightCorner<3, 3>() += shift;
+  add_to(system, sums, R_target_source);
   system.matches += residuals.size();
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <tilth/core/options.hpp>
+#include <tilth/core/rotated_covariance.hpp>
 #include <tilth/core/surface_patch.hpp>
 #include <tilth/registration/residual.hpp>
 
@@ -81,9 +82,9 @@ std::vector<DistributionToDistribution> associate_distributions(MatchedPatches& 
   pairs.reserve(source.patches.size());
   const Eigen::Matrix3d R = T.linear();
   for_each_match(source, T, target, options, [&](const SurfacePatch& patch, const auto& surface) {
-    Eigen::Matrix3d joint = R * patch.covariance * R.transpose() + surface.covariance;
+    Eigen::Matrix3d joint = rotated(R, patch.covariance) + surface.covariance;
     joint.diagonal().array() += 2 * options.lambda;  // lambda I in either covariance
-    pairs.push_back({patch.mean, surface.mean, whitening_of(joint)});
+    pairs.push_back({patch.mean, surface.mean, inverse_of(joint)});
   });
   return pairs;
 }

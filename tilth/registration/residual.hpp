@@ -51,24 +51,44 @@ struct PointToLine {
   Eigen::Matrix3d derivative() const { return skew(direction); }
 };
 
-/// GICP: the difference of two Gaussians' means, whitened by their joint covariance (Fu et al. 2026, section 2.2):
+/// GICP: the difference of two Gaussians' means, weighed by their joint covariance (Fu et al. 2026, section 2.2):
 /// residual(T)^2 = (T p - q)^T (R Sigma_p R^T + Sigma_q)^-1 (T p - q), with R fixed at construction.
 struct DistributionToDistribution {
   Eigen::Vector3d source, target;
-  Eigen::Matrix3d whitening;  ///< W with W^T W = (R Sigma_p R^T + Sigma_q)^-1; lower triangular
+  Eigen::Matrix3d information;  ///< (R Sigma_p R^T + Sigma_q)^-1
 
-  Eigen::Vector3d residual(const Pose& T) const { return whitening * (T * source - target); }
-  const Eigen::Matrix3d& derivative() const { return whitening; }
+  Eigen::Vector3d residual(const Pose& T) const { return derivative() * (T * source - target); }
+  Eigen::Matrix3d derivative() const { return information.llt().matrixU(); }
 };
 
-/// W with W^T W = covariance^-1: the inverse of the Cholesky factor. `covariance` must be positive definite.
-inline Eigen::Matrix3d whitening_of(const Eigen::Matrix3d& covariance) {
-  const double a = std::sqrt(covariance(0, 0)), b = covariance(1, 0) / a, c = covariance(2, 0) / a;
-  const double d = std::sqrt(covariance(1, 1) - b * b), e = (covariance(2, 1) - c * b) / d;
-  const double f = std::sqrt(covariance(2, 2) - c * c - e * e);
-  Eigen::Matrix3d W;
-  W << 1 / a, 0, 0, -b / (a * d), 1 / d, 0, (b * e - c * d) / (a * d * f), -e / (d * f), 1 / f;
-  return W;
+/// What a pair's residual e and its derivative D, by the point in the target's frame, have to give.
+struct ResidualTerms {
+  double squared;               ///< e^T e
+  Eigen::Vector3d gradient;     ///< D^T e
+  Eigen::Matrix3d information;  ///< D^T D
+};
+
+template <Residual R>
+ResidualTerms terms_of(const R& r, const Pose& T) {
+  const auto e = r.residual(T).eval();
+  const auto D = r.derivative();
+  return {e.squaredNorm(), D.transpose() * e, D.transpose() * D};
+}
+
+inline ResidualTerms terms_of(const DistributionToDistribution& r, const Pose& T) {
+  const Eigen::Vector3d offset = T * r.source - r.target, gradient = r.information * offset;
+  return {offset.dot(gradient), gradient, r.information};
+}
+
+/// The inverse of a covariance, which must be positive definite, from its lower half.
+inline Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& C) {
+  const double xx = C(1, 1) * C(2, 2) - C(2, 1) * C(2, 1), xy = C(2, 0) * C(2, 1) - C(1, 0) * C(2, 2);
+  const double xz = C(1, 0) * C(2, 1) - C(2, 0) * C(1, 1), yy = C(0, 0) * C(2, 2) - C(2, 0) * C(2, 0);
+  const double yz = C(1, 0) * C(2, 0) - C(0, 0) * C(2, 1), zz = C(0, 0) * C(1, 1) - C(1, 0) * C(1, 0);
+  const double share = 1 / (C(0, 0) * xx + C(1, 0) * xy + C(2, 0) * xz);
+  Eigen::Matrix3d inverse;
+  inverse << share * xx, share * xy, share * xz, share * xy, share * yy, share * yz, share * xz, share * yz, share * zz;
+  return inverse;
 }
 
 }  // namespace tilth
