@@ -61,6 +61,12 @@ TEST(Comparison, CountsFailedRunsAndNamesThem) {
   EXPECT_NE(text.find("Failed: corridor, seed 2, base: it threw (no figures)."), std::string::npos) << text;
 }
 
+TEST(Comparison, TellsWhatItsFiguresMeanBeforeThem) {
+  const Report report = report_of(sample());
+  EXPECT_NE(report.subtitle.find("APE of the translation"), std::string::npos) << report.subtitle;
+  EXPECT_NE(report.subtitle.find("Failed: corridor, seed 2, base: it threw"), std::string::npos) << report.subtitle;
+}
+
 TEST(Comparison, SaysHowMuchLessThanTheBase) {
   EXPECT_DOUBLE_EQ(improvement(0.3, 1.0), 70);
   EXPECT_DOUBLE_EQ(improvement(1.5, 1.0), -50);

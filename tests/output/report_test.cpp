@@ -228,6 +228,14 @@ TEST(SvgPlot, BearsCurvesWithoutAPointAndWithOneValue) {
   }
 }
 
+TEST(SvgPlot, OfNothingButZerosHasNoNegativeAxis) {
+  Plot plot;
+  plot.curves = {{"degenerate directions", {0, 1, 2}, {0, 0, 0}, {}}};
+  const std::string svg = svg_file(plot);
+  EXPECT_EQ(svg.find(">-0."), std::string::npos) << svg;
+  EXPECT_NE(svg.find(">0.5</text>"), std::string::npos) << svg;
+}
+
 TEST(Thinned, KeepsPeaksAndEnds) {
   Curve curve{"c", {}, {}, {}};
   for (int i = 0; i < 10000; ++i) {

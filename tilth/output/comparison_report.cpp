@@ -90,7 +90,8 @@ Section section_of(const std::vector<MethodSummary>& entries, const std::string&
 Report report_of(const Comparison& comparison) {
   Report report;
   report.title = "Comparison";
-  report.subtitle = "tilth " + comparison.version;
+  report.subtitle = "tilth " + comparison.version + ".";
+  for (const std::string& note : summary_table(comparison).notes) report.subtitle += " " + note;
   std::size_t failed = 0;
   for (const RunOutcome& run : comparison.runs) failed += run.failure.empty() ? 0 : 1;
   report.facts = {{"runs", std::to_string(comparison.runs.size())}, {"failed", std::to_string(failed)}};
@@ -101,8 +102,6 @@ Report report_of(const Comparison& comparison) {
   }
   for (std::size_t i = 0; i < by_source.size(); ++i)
     report.sections.push_back(section_of(by_source[i], std::to_string(i + 1)));
-  if (report.sections.empty()) return report;
-  for (const std::string& note : summary_table(comparison).notes) report.sections.back().note += note + " ";
   return report;
 }
 

@@ -104,6 +104,8 @@ std::string html_report(const Report& report) {
   if (scripted) {
     html += "<script type=\"application/json\" id=\"report\">" + report_json(report) + "</script>\n<script>";
     html += std::string(bundle.script) + "</script>\n";
+    for (const std::string& layer : later_layers_json(report))  // the script runs before they are there
+      html += "<script type=\"application/json\" class=\"layer\">" + layer + "</script>\n";
   }
   return html + "</body></html>\n";
 }

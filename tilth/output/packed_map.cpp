@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <numbers>
+#include <utility>
 #include <zlib.h>
 
 #include <tilth/core/error.hpp>
@@ -10,7 +11,9 @@
 namespace tilth {
 namespace {
 
-constexpr double kFinestStep = 0.005;  // [m] well below what an eye sees in a whole map
+constexpr std::size_t kFirstLayer = 150'000;    // points: what the page draws at first
+constexpr std::size_t kLargestLayer = 600'000;  // points of another: unpacked at a stretch
+constexpr double kFinestStep = 0.005;           // [m] well below what an eye sees in a whole map
 constexpr double kLargestNumber = std::numeric_limits<std::uint16_t>::max();
 constexpr double kBrightest = 0.995;  // share of the points that must be darker than white
 
@@ -104,6 +107,39 @@ std::string packed_differences(const std::vector<QuantisedPoint>& points, const 
   return deflated(bytes);
 }
 
+/// The points of each layer: of neighbours in `points` every layer has its share.
+std::vector<std::vector<QuantisedPoint>> dealt(const std::vector<QuantisedPoint>& points) {
+  const std::size_t left = points.size() > kFirstLayer ? points.size() - kFirstLayer : 0;
+  const std::size_t others = (left + kLargestLayer - 1) / kLargestLayer;
+  const double first = std::min(1.0, double(kFirstLayer) / double(points.size()));
+  std::vector<std::vector<QuantisedPoint>> layers(1 + others);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double whole = 0.0;
+    const double place = std::modf(double(i) * std::numbers::phi, &whole);  // even over 0 to 1, any run of i
+    const double beyond = (place - first) / (1.0 - first) * double(others);
+    const std::size_t layer = place < first ? 0 : 1 + std::min(std::size_t(beyond), others - 1);
+    layers[layer].push_back(points[i]);
+  }
+  return layers;
+}
+
+PackedLayer pack_layer(std::vector<QuantisedPoint> points) {
+  std::sort(points.begin(), points.end(), [](const QuantisedPoint& a, const QuantisedPoint& b) {
+    return a.order != b.order ? a.order < b.order : a.scan < b.scan;
+  });
+  PackedLayer layer;
+  layer.count = points.size();
+  layer.x = packed_differences(points, [](const QuantisedPoint& p) { return p.at[0]; });
+  layer.y = packed_differences(points, [](const QuantisedPoint& p) { return p.at[1]; });
+  layer.z = packed_differences(points, [](const QuantisedPoint& p) { return p.at[2]; });
+  layer.scan = packed_differences(points, [](const QuantisedPoint& p) { return p.scan; });
+  std::string intensity(points.size(), '\0');
+  std::transform(points.begin(), points.end(), intensity.begin(),
+                 [](const QuantisedPoint& p) { return char(p.intensity); });
+  layer.intensity = deflated(intensity);
+  return layer;
+}
+
 }  // namespace
 
 PackedMap pack_map(std::span<const MapPoint> points, std::size_t most) {
@@ -115,17 +151,7 @@ PackedMap pack_map(std::span<const MapPoint> points, std::size_t most) {
   fit(map, kept);
   std::vector<QuantisedPoint> small(kept.size());
   std::transform(kept.begin(), kept.end(), small.begin(), [&](const MapPoint& p) { return quantised(p, map); });
-  std::sort(small.begin(), small.end(), [](const QuantisedPoint& a, const QuantisedPoint& b) {
-    return a.order != b.order ? a.order < b.order : a.scan < b.scan;
-  });
-  map.x = packed_differences(small, [](const QuantisedPoint& p) { return p.at[0]; });
-  map.y = packed_differences(small, [](const QuantisedPoint& p) { return p.at[1]; });
-  map.z = packed_differences(small, [](const QuantisedPoint& p) { return p.at[2]; });
-  map.scan = packed_differences(small, [](const QuantisedPoint& p) { return p.scan; });
-  std::string intensity(small.size(), '\0');
-  std::transform(small.begin(), small.end(), intensity.begin(),
-                 [](const QuantisedPoint& p) { return char(p.intensity); });
-  map.intensity = deflated(intensity);
+  for (std::vector<QuantisedPoint>& layer : dealt(small)) map.layers.push_back(pack_layer(std::move(layer)));
   return map;
 }
 

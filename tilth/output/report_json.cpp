@@ -104,6 +104,11 @@ Json path_json(const MapPath& path, double start, Arrays& arrays) {
   return json;
 }
 
+Json layer_json(const PackedLayer& layer) {
+  return {{"count", layer.count}, {"x", base64(layer.x)},       {"y", base64(layer.y)},
+          {"z", base64(layer.z)}, {"scan", base64(layer.scan)}, {"intensity", base64(layer.intensity)}};
+}
+
 Json map_json(const MapView& map, Arrays& arrays) {
   const PackedMap& points = map.points;
   Json json{{"count", points.count},
@@ -112,11 +117,7 @@ Json map_json(const MapView& map, Arrays& arrays) {
             {"step", points.step},
             {"max_intensity", points.max_intensity},
             {"scans_per_number", points.scans_per_number}};
-  json["x"] = base64(points.x);
-  json["y"] = base64(points.y);
-  json["z"] = base64(points.z);
-  json["scan"] = base64(points.scan);
-  json["intensity"] = base64(points.intensity);
+  if (!points.layers.empty()) json["first"] = layer_json(points.layers.front());
   const bool empty = map.paths.empty() || map.paths.front().poses.empty();
   const double start = empty ? 0.0 : map.paths.front().poses.front().stamp;
   json["paths"] = Json::array();
@@ -141,6 +142,14 @@ std::string report_json(const Report& report) {
   for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
     text.replace(at, 1, "\\u003c");
   return text;
+}
+
+std::vector<std::string> later_layers_json(const Report& report) {
+  std::vector<std::string> layers;
+  if (!report.map) return layers;
+  const std::vector<PackedLayer>& all = report.map->points.layers;
+  for (std::size_t i = 1; i < all.size(); ++i) layers.push_back(layer_json(all[i]).dump());
+  return layers;
 }
 
 }  // namespace tilth

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <tilth/output/report.hpp>
 
@@ -10,5 +11,8 @@ namespace tilth {
 
 /// Holds no '<': it can stand inside a script element whatever the names are.
 std::string report_json(const Report& report);
+
+/// The layers of the map after the first, one JSON each.
+std::vector<std::string> later_layers_json(const Report& report);
 
 }  // namespace tilth

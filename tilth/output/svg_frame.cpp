@@ -35,6 +35,8 @@ Range y_range(const Plot& plot) {
   for (const Mark& mark : plot.marks) parts.push_back({mark.value, mark.value});
   if (plot.band) parts.push_back({plot.band->low, plot.band->high});
   if (by_category(plot.kind) || plot.kind == PlotKind::histogram) parts.push_back({0.0, 0.0});
+  if (std::all_of(parts.begin(), parts.end(), [](const Range& part) { return part.low == 0.0 && part.high == 0.0; }))
+    return {0.0, 1.0};  // counts are not negative
   return padded(range_of(parts), kHeadroom);
 }
 

@@ -147,7 +147,8 @@ Report report_of(const Sweep& sweep) {
   const FigureTable table = sweep_table(sweep);
   Report report;
   report.title = "Sweep of " + sweep.pipeline;
-  report.subtitle = "tilth " + sweep.version;
+  report.subtitle = "tilth " + sweep.version + ".";
+  for (const std::string& note : table.notes) report.subtitle += " " + note;
   const auto failed = std::count_if(sweep.runs.begin(), sweep.runs.end(),
                                     [](const SweepRun& run) { return !run.outcome.failure.empty(); });
   report.facts = {{"runs", std::to_string(sweep.runs.size())}, {"failed", std::to_string(failed)}};
@@ -163,7 +164,6 @@ Report report_of(const Sweep& sweep) {
     }
     report.sections.push_back(std::move(section));
   }
-  for (const std::string& note : table.notes) report.sections.back().note += note + " ";
   return report;
 }
 

@@ -56,15 +56,31 @@ function painted() {
   return new Promise((resume) => requestAnimationFrame(() => setTimeout(resume)));
 }
 
+/** Resolves when all of the page has been read. */
+function pageRead() {
+  if (document.readyState !== "loading") return Promise.resolve();
+  return new Promise((resume) => document.addEventListener("DOMContentLoaded", resume));
+}
+
+/** The rest of the map, one layer after the other; the page answers in between. */
+async function addLayers(view) {
+  await pageRead();
+  for (const layer of document.querySelectorAll("script.layer")) {
+    await painted();
+    await view.add(JSON.parse(layer.textContent));
+  }
+}
+
 async function main() {
   const report = readReport();
   const timeline = new Timeline(duration(report));
   watchPlots(report, timeline);
   await painted(); // the page can be read while WebGL starts
   const place = document.getElementById("map");
-  if (place && report.map) await MapView.open(place, report.map, timeline);
+  const view = place && report.map && (await MapView.open(place, report.map, timeline));
   document.documentElement.dataset.opened = performance.now().toFixed(0); // [ms]
   document.documentElement.dataset.ready = "yes";
+  if (view) await addLayers(view);
 }
 
 main();

@@ -15,11 +15,11 @@ export function boxOfWays(map) {
 /** The box of the ways and of nearly all points of the map. */
 export function boxOfMap(map, points) {
   const box = boxOfWays(map);
-  if (!points.count) return box;
-  const p = points.object.geometry.attributes.position;
-  const stride = Math.max(1, Math.floor(points.count / 20000));
+  const p = points.sample;
+  if (!p) return box;
+  const stride = Math.max(1, Math.floor(p.count / 20000));
   const sides = [[], [], []];
-  for (let i = 0; i < points.count; i += stride) [p.getX(i), p.getY(i), p.getZ(i)].forEach((v, axis) => sides[axis].push(v));
+  for (let i = 0; i < p.count; i += stride) [p.getX(i), p.getY(i), p.getZ(i)].forEach((v, axis) => sides[axis].push(v));
   const at = (values, share) => values[Math.floor(share * (values.length - 1))];
   sides.forEach((values) => values.sort((a, b) => a - b));
   const corner = (share) => new THREE.Vector3(...sides.map((v, a) => map.origin[a] + map.step * at(v, share)));

@@ -2,7 +2,7 @@
 // moves that is the whole picture; when it rests the other points are added to it, frame by frame, so that not even a
 // slow machine is held up by all of them at once.
 
-const kFirst = 250_000; // points at a time, to begin with
+const kFirst = 150_000; // points at a time, to begin with
 const kLeast = 50_000;
 const kSlow = 45; // [ms] between two frames: fewer points
 const kFast = 22; // more
@@ -36,6 +36,11 @@ export class Pace {
   still() {
     this.anew = true;
     this.fill();
+  }
+
+  /** There are more points than before. */
+  more() {
+    if (this.fills) this.request();
   }
 
   fill() {

@@ -22,7 +22,7 @@ function fatLine(flat, options) {
   return line;
 }
 
-/** A way: faint as a whole, bright up to the moment shown. */
+/** A way, `width` [px] wide: faint as a whole, bright up to the moment shown. */
 export class Way {
   constructor(path, width) {
     this.path = path;
@@ -30,7 +30,7 @@ export class Way {
     this.object = new THREE.Group();
     if (path.t.length < 2) return;
     this.past = fatLine(flat, { linewidth: width });
-    this.past.renderOrder = 1.5;
+    this.past.renderOrder = path.truth ? 1.4 : 1.5; // the truth lies below what is held against it
     this.whole = fatLine(flat, { linewidth: 1 });
     this.object.add(this.whole, this.past);
   }

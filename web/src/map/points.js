@@ -1,6 +1,6 @@
-// The points of the map on the graphics card: two million 16-bit points in one buffer, coloured and shown up to a
-// moment by the shader, so that neither costs the page anything. Their order is a fixed shuffle: any first part of it is
-// an even thinning of the whole, which is what is drawn at first and while the view moves.
+// The points of the map on the graphics card: two million 16-bit points, coloured and shown up to a
+// moment by the shader, so that neither costs the page anything. They come in layers, each an even thinning of the whole
+// and shuffled: so is any first part of them, which is what is drawn at first and while the view moves.
 import * as THREE from "three";
 import { inflated, undifferenced } from "../data.js";
 
@@ -51,10 +51,11 @@ function momentsOf(times, scansPerNumber) {
   return (scan) => times[Math.min(scan * scansPerNumber, times.length - 1)] / last;
 }
 
-async function unpacked(map) {
-  const count = map.count;
+/** The points of a layer of the map, as the graphics card takes them. */
+export async function unpacked(map, layer) {
+  const { count } = layer;
   const [x, y, z, scan, intensity] = await Promise.all([
-    undifferenced(map.x, count), undifferenced(map.y, count), undifferenced(map.z, count), undifferenced(map.scan, count), inflated(map.intensity),
+    undifferenced(layer.x, count), undifferenced(layer.y, count), undifferenced(layer.z, count), undifferenced(layer.scan, count), inflated(layer.intensity),
   ]);
   const position = new Uint16Array(4 * count); // the fourth number fills up eight bytes a point
   const ordered = { position, scan: new Uint16Array(count), moment: new Uint16Array(count), intensity: new Uint8Array(count) };
@@ -69,29 +70,46 @@ async function unpacked(map) {
     ordered.moment[to] = Math.round(65535 * momentOf(scan[i]));
     ordered.intensity[to] = intensity[i];
   }
-  return { ...ordered, heights: heightRange(z) };
+  return { ...ordered, count, heights: heightRange(z) };
+}
+
+function geometryOf({ position, scan, moment, intensity }) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.InterleavedBufferAttribute(new THREE.InterleavedBuffer(position, 4), 3, 0));
+  geometry.setAttribute("scan", new THREE.BufferAttribute(scan, 1));
+  geometry.setAttribute("moment", new THREE.BufferAttribute(moment, 1, true));
+  geometry.setAttribute("intensity", new THREE.BufferAttribute(intensity, 1, true));
+  return geometry;
 }
 
 export class MapPoints {
-  static async open(map) {
-    return new MapPoints(map, await unpacked(map));
-  }
-
-  constructor(map, { position, scan, moment, intensity, heights }) {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.InterleavedBufferAttribute(new THREE.InterleavedBuffer(position, 4), 3, 0));
-    geometry.setAttribute("scan", new THREE.BufferAttribute(scan, 1));
-    geometry.setAttribute("moment", new THREE.BufferAttribute(moment, 1, true));
-    geometry.setAttribute("intensity", new THREE.BufferAttribute(intensity, 1, true));
+  /** `first` is the first layer, unpacked; nothing where the map has no points. */
+  constructor(map, first) {
+    const heights = first?.heights ?? [0, 1];
     const uniforms = { size: { value: 1 }, until: { value: 2 }, cut: { value: 65536 }, heights: { value: heights }, mode: { value: 0 }, ramp: { value: null } };
     this.material = new THREE.ShaderMaterial({ vertexShader: kVertex, fragmentShader: kFragment, uniforms });
-    this.object = new THREE.Points(geometry, this.material);
-    this.object.frustumCulled = false;
+    this.object = new THREE.Group();
     this.object.scale.setScalar(map.step);
     this.object.position.fromArray(map.origin);
-    this.count = map.count;
     this.numberOf = (height) => (height - map.origin[2]) / map.step;
     this.heights = heights.map((h) => map.origin[2] + h * map.step); // [m] at the ends of the ramp
+    this.layers = [];
+    this.count = 0; // of the layers that are there
+    if (first) this.add(first);
+  }
+
+  /** Adds an unpacked layer. */
+  add(layer) {
+    const cloud = new THREE.Points(geometryOf(layer), this.material);
+    cloud.frustumCulled = false;
+    this.object.add(cloud);
+    this.layers.push({ cloud, begin: this.count, end: this.count + layer.count });
+    this.count += layer.count;
+  }
+
+  /** Coordinates of an even thinning, as whole numbers. */
+  get sample() {
+    return this.layers[0]?.cloud.geometry.attributes.position;
   }
 
   colorBy(mode, ramp) {
@@ -116,6 +134,10 @@ export class MapPoints {
 
   /** Draws `count` points from number `first` on. */
   draw(first, count) {
-    this.object.geometry.setDrawRange(first, count);
+    for (const { cloud, begin, end } of this.layers) {
+      const [from, to] = [Math.max(first, begin), Math.min(first + count, end)];
+      cloud.visible = to > from;
+      if (cloud.visible) cloud.geometry.setDrawRange(from - begin, to - from);
+    }
   }
 }

@@ -5,51 +5,28 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { color, onThemeChange } from "../theme.js";
 import { element } from "../words.js";
 import { boxOfMap, boxOfWays } from "./box.js";
+import { frame, kFieldOfView } from "./camera.js";
 import { gridBox, makeGrid } from "./grid.js";
 import { Pace } from "./pace.js";
 import { Panel } from "./panel.js";
 import { closureLines, keyframeDots, Robot, Way } from "./paths.js";
-import { MapPoints } from "./points.js";
+import { MapPoints, unpacked } from "./points.js";
 import { modes, rampTexture } from "./ramps.js";
 
-const kFieldOfView = 45; // [deg]
-const kRoom = 1.08; // times the distance from which all is seen
 const kPointSize = 0.07; // [m] that a point covers
 
-/** Puts `camera` so that it looks along `direction` reversed and `box` fills the view; returns where it looks to. */
-function frame(camera, box, direction) {
-  const target = box.getCenter(new THREE.Vector3());
-  const tangent = Math.tan((kFieldOfView * Math.PI) / 360);
-  let distance = 2 * box.getSize(new THREE.Vector3()).length();
-  for (let i = 0; i < 8; ++i) {
-    camera.position.copy(target).addScaledVector(direction, distance);
-    camera.lookAt(target);
-    camera.updateMatrixWorld();
-    const seen = new THREE.Box3();
-    for (let corner = 0; corner < 8; ++corner) {
-      const at = ["x", "y", "z"].map((axis, k) => (corner & (1 << k) ? box.max : box.min)[axis]);
-      seen.expandByPoint(new THREE.Vector3(...at).project(camera));
-    }
-    const middle = seen.getCenter(new THREE.Vector3());
-    const half = seen.getSize(new THREE.Vector3()).multiplyScalar(0.5);
-    const shift = new THREE.Vector3(middle.x * camera.aspect, middle.y, 0).multiplyScalar(tangent * distance);
-    target.add(shift.applyQuaternion(camera.quaternion));
-    distance *= kRoom * Math.max(half.x, half.y);
-  }
-  camera.position.copy(target).addScaledVector(direction, distance);
-  return target;
-}
-
 export class MapView {
-  /** The view in `place`, its first picture drawn; where there is no WebGL `place` stays as it is. */
+  /** The view in `place`, its first picture drawn; where there is no WebGL `place` stays as it is and nothing is returned. */
   static async open(place, map, timeline) {
-    const unpacking = MapPoints.open(map); // beside the start of WebGL
+    const unpacking = map.first && unpacked(map, map.first); // beside the start of WebGL
     const canvas = element("canvas", { tabIndex: 0 });
     const context = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true }); // what is drawn stays, to be added to
-    if (!context) return;
-    const view = new MapView(place, map, await unpacking, timeline, new THREE.WebGLRenderer({ canvas, context }));
+    if (!context) return undefined;
+    const points = new MapPoints(map, await unpacking);
+    const view = new MapView(place, map, points, timeline, new THREE.WebGLRenderer({ canvas, context }));
     await new Promise((resume) => requestAnimationFrame(resume));
     await view.finished();
+    return view;
   }
 
   constructor(place, map, points, timeline, renderer) {
@@ -57,6 +34,7 @@ export class MapView {
     this.panel = new Panel(place, map, this);
     this.boxes = { map: boxOfMap(map, points), ways: boxOfWays(map) };
     this.renderer.autoClear = false;
+    this.renderer.debug.checkShaderErrors = false; // asking waits for the graphics card
     this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // colours stand as they are given
     this.scene = new THREE.Scene();
     this.ground = new THREE.Scene(); // below all that is added to a picture
@@ -80,7 +58,7 @@ export class MapView {
     this.earlier = new THREE.Group();
     this.truths = new THREE.Group();
     this.main = new Way(estimate, 3);
-    this.others = others.map((path) => new Way(path, 2));
+    this.others = others.map((path) => new Way(path, path.truth ? 5 : 2));
     this.ways.add(this.main.object);
     this.others.forEach((way) => (way.path.truth ? this.truths : this.earlier).add(way.object));
     this.robot = new Robot(estimate, Math.max(0.4, 0.018 * Math.max(size.x, size.y)));
@@ -92,6 +70,12 @@ export class MapView {
     this.ground.add(this.grid);
     this.robot.object.visible = estimate.t.length > 0;
     this.colorBy("height");
+  }
+
+  /** Adds another layer of the map. */
+  async add(layer) {
+    this.points.add(await unpacked(this.map, layer));
+    this.pace.more();
   }
 
   listen() {
