@@ -5,6 +5,7 @@ import { createRequire } from "node:module";
 import { fileURLToPath, pathToFileURL } from "node:url";
 
 const kSkipped = 77;
+const kPatience = 400_000; // [ms] on a machine with much other work; a page that is broken complains at once
 const kChromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser"];
 const kArguments = [
   "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
@@ -30,13 +31,13 @@ export async function openBrowser() {
   const executablePath = kChromium.find(existsSync);
   if (!executablePath) skip("the Debian package chromium");
   const { chromium } = await playwright();
-  return chromium.launch({ executablePath, args: kArguments, timeout: 120_000 });
+  return chromium.launch({ executablePath, args: kArguments, timeout: kPatience });
 }
 
 /** The page of `file`, ready; `page.complaints` and `page.requests` tell what it said and asked for. */
 export async function openPage(browser, file, options = {}) {
   const page = await browser.newPage({ viewport: { width: 1300, height: 900 }, ...options });
-  page.setDefaultTimeout(120_000);
+  page.setDefaultTimeout(kPatience);
   page.complaints = [];
   page.requests = [];
   page.on("console", (message) => ["error", "warning"].includes(message.type()) && page.complaints.push(message.text()));
@@ -63,7 +64,7 @@ export async function mapDrawn(page) {
 /** Colours of the 3D view and how many of its pixels have each. */
 export async function canvasColors(page) {
   await mapDrawn(page);
-  const picture = (await page.locator("#map canvas").screenshot({ timeout: 120_000 })).toString("base64");
+  const picture = (await page.locator("#map canvas").screenshot({ timeout: kPatience })).toString("base64");
   return page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
