@@ -58,7 +58,7 @@ TEST_F(Packets, SensorsWithoutPacketsAndWrongOptionsAreRefused) {
   refused(capture + "?sensor=leishen_c16_v4", "1206 bytes");
   refused(capture + "?host=10.0.0.1", "192.168.1.201");
   refused(capture + "?colour=red", "colour");
-  refused((folder_ / "sim/times.txt").string() + "?sensor=vlp16", "no packets");
+  refused((folder_ / "sim/times.txt").string() + "?sensor=vlp16", "times.txt: is no folder of scans");
 }
 
 }  // namespace
