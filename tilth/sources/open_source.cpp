@@ -49,7 +49,8 @@ std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOpti
   }
   if (is_bag(path)) return open_bag(path, merged);
   if (fs::is_directory(status) || is_scan_file(path)) return open_folder(path, merged);
-  throw Error(source.what, "is no folder of scans, .pcd, .ply, .bin, .bag, .db3, .mcap, .pcap, .pcapng or file of packets");
+  throw Error(source.what,
+              "is no folder of scans, .pcd, .ply, .bin, .bag, .db3, .mcap, .pcap, .pcapng or file of packets");
 }
 
 }  // namespace tilth
