@@ -88,7 +88,8 @@ TEST(Tremor, IsFoundWhereTheSurfacesShowIt) {
   const MovingParts parts = linearize(pairs_of(truth, 0.003, 4), state);
   Vector12d step;
   ScanTremor found;
-  ASSERT_TRUE(step_trembling(trembling_system(parts, sum_of(parts), kSpread, state), step, found));
+  const TremblingSystem system = trembling_system(parts, sum_of(parts), kSpread, state);
+  ASSERT_TRUE(step_trembling(system, TremblingFactor(system.H), step, found));
   for (int k = 0; k < kKnots; ++k) {
     const double lever = kMiddle * (2.0 * k / ScanTremor::kIntervals - 1);
     const Vector6d motion = step.head<6>() + lever * step.tail<6>() + found.knots[std::size_t(k)];
@@ -105,9 +106,10 @@ TEST(Tremor, AddsToTheCovarianceOfThePose) {
   const int middle = 12 + 6 * (kKnots / 2);
   const Matrix6d cross = all.block<6, 6>(0, middle);
   const Matrix6d expected = all.topLeftCorner<6, 6>() + cross + cross.transpose() + all.block<6, 6>(middle, middle);
-  EXPECT_TRUE(covariance_in_middle(system).isApprox(expected, 1e-9));
+  const TremblingFactor factor(system.H);
+  EXPECT_TRUE(covariance_in_middle(factor).isApprox(expected, 1e-9));
   const TremblingSystem still = trembling_system(parts, with_weak_prior(sum_of(parts)), {1e-7, 1e-7, 1e-7}, state);
-  EXPECT_LT(covariance_in_middle(still).trace(), 0.5 * covariance_in_middle(system).trace());
+  EXPECT_LT(covariance_in_middle(TremblingFactor(still.H)).trace(), 0.5 * covariance_in_middle(factor).trace());
 }
 
 TEST(Tremor, ItsSizeFollowsFromWhatScansShow) {
@@ -123,8 +125,9 @@ TEST(Tremor, ItsSizeFollowsFromWhatScansShow) {
       const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), spread, state);
       Vector12d step;
       ScanTremor found;
-      ASSERT_TRUE(step_trembling(system, step, found));
-      const TremorEvidence fresh = evidence_of(system, spread, found);
+      const TremblingFactor factor(system.H);
+      ASSERT_TRUE(step_trembling(system, factor, step, found));
+      const TremorEvidence fresh = evidence_of(factor, spread, found);
       evidence = {evidence.squares + fresh.squares, evidence.freedom + fresh.freedom};
     }
     const TremorSpread spread = tremor_spread(evidence, options);

@@ -149,10 +149,15 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   add_velocity_prior(prior, options, state, system);
   const bool may_tremble = prior.known && narrow && state.middle > 0;
   const TremorSpread spread = may_tremble ? tremor_spread(prior.tremor, options) : TremorSpread();
-  std::optional<TremblingSystem> trembling;
-  if (!spread.none()) trembling = trembling_system(parts, system, spread, state);
+  std::optional<TremblingFactor> trembling;
   Vector12d step;
-  if (!(trembling ? step_trembling(*trembling, step, state.tremor) : step_steady(system, step))) return false;
+  if (spread.none()) {
+    if (!step_steady(system, step)) return false;
+  } else {
+    const TremblingSystem whole = trembling_system(parts, system, spread, state);
+    trembling.emplace(whole.H);
+    if (!step_trembling(whole, *trembling, step, state.tremor)) return false;
+  }
   state.T_map_lidar = retract(state.T_map_lidar, step.head<6>());
   state.velocity += step.tail<6>();
   result.pose.converged =

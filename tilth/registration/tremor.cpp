@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
 #include <tilth/registration/tremor.hpp>
 
 namespace tilth {
@@ -64,8 +62,7 @@ TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& s
   return system;
 }
 
-bool step_trembling(const TremblingSystem& system, Vector12d& step, ScanTremor& tremor) {
-  const Eigen::LLT<TremblingSystem::Matrix> factor(system.H);
+bool step_trembling(const TremblingSystem& system, const TremblingFactor& factor, Vector12d& step, ScanTremor& tremor) {
   const TremblingSystem::Vector change = factor.solve(-system.b);
   if (factor.info() != Eigen::Success || !change.allFinite()) return false;
   step = change.head<12>();
@@ -73,20 +70,18 @@ bool step_trembling(const TremblingSystem& system, Vector12d& step, ScanTremor& 
   return true;
 }
 
-Matrix6d covariance_in_middle(const TremblingSystem& system) {
+Matrix6d covariance_in_middle(const TremblingFactor& factor) {
   static_assert(kIntervals % 2 == 0, "a knot lies in the middle");
   Eigen::Matrix<double, TremblingSystem::kSize, 6> pick = Eigen::Matrix<double, TremblingSystem::kSize, 6>::Zero();
   pick.topRows<6>().setIdentity();
   pick.middleRows<6>(place_of(kIntervals / 2)).setIdentity();
-  const Eigen::LLT<TremblingSystem::Matrix> factor(system.H);
   const auto half = factor.matrixL().solve(pick).eval();
   return half.transpose() * half;
 }
 
-TremorEvidence evidence_of(const TremblingSystem& system, const TremorSpread& spread, const ScanTremor& tremor) {
-  const Eigen::LLT<TremblingSystem::Matrix> factor(system.H);  // H^-1 = L^-T L^-1
+TremorEvidence evidence_of(const TremblingFactor& factor, const TremorSpread& spread, const ScanTremor& tremor) {
   const TremblingSystem::Matrix L_inverse = factor.matrixL().solve(TremblingSystem::Matrix::Identity());
-  const TremblingSystem::Vector all_variances = L_inverse.colwise().squaredNorm();
+  const TremblingSystem::Vector all_variances = L_inverse.colwise().squaredNorm();  // H^-1 = L^-T L^-1
   const Vector6d prior = spread.variances();
   TremorEvidence evidence;
   for (int i = 0; i <= kIntervals; ++i) {

@@ -3,6 +3,7 @@
 // smoothly has next to none, a shaking cart tenths of a degree.
 #pragma once
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <tilth/registration/moving_system.hpp>
@@ -38,17 +39,19 @@ struct TremblingSystem {
   Vector b = Vector::Zero();
 };
 
+using TremblingFactor = Eigen::LLT<TremblingSystem::Matrix>;  ///< of H
+
 /// Of the `parts` of a scan at `state`, whose pose and velocity, with their priors, are `smooth`.
 TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& smooth, const TremorSpread& spread,
                                  const MotionState& state);
 
 /// Moves `tremor` and gives the step of pose and velocity; false where there is no solution.
-bool step_trembling(const TremblingSystem& system, Vector12d& step, ScanTremor& tremor);
+bool step_trembling(const TremblingSystem& system, const TremblingFactor& factor, Vector12d& step, ScanTremor& tremor);
 
 /// [rad^2, m^2] of the pose in the middle of the scan, its tremor included.
-Matrix6d covariance_in_middle(const TremblingSystem& system);
+Matrix6d covariance_in_middle(const TremblingFactor& factor);
 
-/// What a tremor, estimated by this system, tells about the spread.
-TremorEvidence evidence_of(const TremblingSystem& system, const TremorSpread& spread, const ScanTremor& tremor);
+/// What a tremor, estimated by the system of this factor, tells about the spread.
+TremorEvidence evidence_of(const TremblingFactor& factor, const TremorSpread& spread, const ScanTremor& tremor);
 
 }  // namespace tilth

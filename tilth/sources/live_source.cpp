@@ -1,9 +1,14 @@
+#include <chrono>
+
 #include <tilth/core/error.hpp>
 #include <tilth/sources/live_source.hpp>
 #include <tilth/sources/source_uri.hpp>
 
 namespace tilth {
 namespace {
+
+/// The first scan after the backlog finds the queue full of it; it makes no older one give way that was waited for.
+constexpr std::chrono::milliseconds kPatienceAfterBacklog{500};
 
 PacketFeed feed_of(const std::shared_ptr<PacketReceiver>& receiver) {
   return {receiver->name(),
@@ -61,10 +66,19 @@ void LiveSource::decode() {
   changed_.notify_all();
 }
 
-void LiveSource::hand_over(Scan scan) {
+void LiveSource::wait_for_room(std::unique_lock<std::mutex>& lock) {
   const bool patient = !receiver_->caught_up() || receiver_->ended();  // after the end nothing newer comes
+  const auto room = [&] { return waiting_.size() < queue_ || stopping_; };
+  if (patient)
+    changed_.wait(lock, room);
+  else if (backlog_waits_)
+    changed_.wait_for(lock, kPatienceAfterBacklog, room);
+  backlog_waits_ = patient;
+}
+
+void LiveSource::hand_over(Scan scan) {
   std::unique_lock lock(mutex_);
-  if (patient) changed_.wait(lock, [&] { return waiting_.size() < queue_ || stopping_; });
+  wait_for_room(lock);
   if (waiting_.size() >= queue_) {
     waiting_.pop_front();
     ++dropped_;

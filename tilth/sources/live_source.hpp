@@ -55,6 +55,7 @@ class LiveSource : public ScanSource {
 
  private:
   void decode();
+  void wait_for_room(std::unique_lock<std::mutex>& lock);
   void hand_over(Scan scan);
 
   std::shared_ptr<PacketReceiver> receiver_;  // shared with the feed of packets_
@@ -68,6 +69,7 @@ class LiveSource : public ScanSource {
   std::vector<std::string> packet_notices_;
   std::size_t scans_ = 0, dropped_ = 0, skipped_before_ = 0;
   bool ended_ = false, stopping_ = false;
+  bool backlog_waits_ = true;  // the scan handed over last belonged to the backlog
 
   std::jthread decoder_;  // last: it uses the members above
 };
