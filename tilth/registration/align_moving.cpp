@@ -99,9 +99,9 @@ bool step_steady(const MovingSystem& system, Vector12d& step) {
 
 // Squared residuals are less than their variances promise, which are wide on purpose: the scale of the covariance.
 double residual_scale(const PatchPairs& pairs, double error) {
-  constexpr double kState = 12;
+  constexpr double kState = 12, kLeast = 1e-3;
   const double freedom = double(pairs.flat.size()) + 3 * double(pairs.shapes.size()) - kState;
-  return 2 * error / std::max(1.0, freedom);
+  return std::max(kLeast, 2 * error / std::max(1.0, freedom));
 }
 
 TremorEvidence faded_sum(const MotionPrior& prior, const TremorEvidence& fresh) {
@@ -125,7 +125,13 @@ MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
   constexpr double kMemory = 1.0;  // [s] of the steady velocity
   const double fresh = prior.known ? 1 - std::exp(-prior.interval / kMemory) : 1.0;
   const Vector6d steady = prior.steady_velocity + fresh * (motion - prior.steady_velocity);
-  return {T_map_last,          alignment.velocity, motion, steady, 0.0, faded_sum(prior, alignment.evidence),
+  return {T_map_last,
+          alignment.velocity,
+          motion,
+          steady,
+          0.0,
+          faded_sum(prior, alignment.evidence),
+          mean_with(prior.tremor_mean, alignment.tremor, share_of_mean(prior.interval)),
           prior.known || known};
 }
 
@@ -147,14 +153,16 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   }
   if (prior.known) add_pose_prior(prior, options, state, system);
   add_velocity_prior(prior, options, state, system);
+  const double scale = residual_scale(pairs, result.pose.error);
   const bool may_tremble = prior.known && narrow && state.middle > 0;
   const TremorSpread spread = may_tremble ? tremor_spread(prior.tremor, options) : TremorSpread();
+  const TremorPrior tremor = tremor_prior(spread, prior.tremor_mean, share_of_mean(prior.interval), scale, options);
   std::optional<TremblingFactor> trembling;
   Vector12d step;
   if (spread.none()) {
     if (!step_steady(system, step)) return false;
   } else {
-    const TremblingSystem whole = trembling_system(parts, system, spread, state);
+    const TremblingSystem whole = trembling_system(parts, system, tremor, state);
     trembling.emplace(whole.H);
     if (!step_trembling(whole, *trembling, step, state.tremor)) return false;
   }
@@ -163,10 +171,10 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   result.pose.converged =
       step.head<3>().norm() < options.rotation_epsilon && step.segment<3>(3).norm() < options.translation_epsilon;
   if (!result.pose.converged && result.pose.iterations < options.max_iterations) return true;
-  if (trembling) result.evidence = evidence_of(*trembling, spread, state.tremor);
+  if (trembling) result.evidence = evidence_of(*trembling, tremor, state.tremor);
   const Matrix6d covariance =
       trembling ? covariance_in_middle(*trembling) : Matrix6d(system.H.inverse().topLeftCorner<6, 6>());
-  result.covariance = residual_scale(pairs, result.pose.error) * covariance;
+  result.covariance = scale * covariance;
   result.surfaces_seen_at = pairs.seen_at_sum / double(pairs.size());
   return true;
 }

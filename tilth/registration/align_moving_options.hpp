@@ -20,10 +20,11 @@ struct AlignMovingOptions {
   double velocity_slack = 0.01;
   double velocity_share = 0.1;
   double tremor_tilt = 5e-3;
-  double tremor_yaw = 1e-3;
+  double tremor_yaw = 7e-4;
   double tremor_translation = 2e-3;
-  double tremor_least_rotation = 3.5e-4;
-  double tremor_least_translation = 5e-4;
+  double tremor_least_rotation = 1e-4;
+  double tremor_least_translation = 1.5e-4;
+  double tremor_mean = 0.2;
   double degeneracy_ratio = 3e-3;
   double steady_acceleration = 1.0;
   int min_matches = 20;
@@ -52,6 +53,8 @@ void visit(AlignMovingOptions& o, V&& v) {
   v("tremor_translation", o.tremor_translation, Bounds{0, 1}, "[m] the same along the axes");
   v("tremor_least_rotation", o.tremor_least_rotation, Bounds{0, 1}, "[rad] least standard deviation; 0: no tremor");
   v("tremor_least_translation", o.tremor_least_translation, Bounds{0, 1}, "[m] the same along the axes");
+  v("tremor_mean", o.tremor_mean, Bounds{1e-3, 1e6},
+    "[-] what a tremor may leave over fifteen seconds, as a share of what chance would leave");
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
     "[-] a direction with less information than this share of the best one is degenerate: there the motion goes "
     "on as it was in the last second, and partly so up to 1.5 times the share");

@@ -39,7 +39,30 @@ TremorSpread tremor_spread(const TremorEvidence& evidence, const AlignMovingOpti
           spread(2, options.tremor_least_translation, options.tremor_translation)};
 }
 
-TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& smooth, const TremorSpread& spread,
+// With x ~ N(0, s^2), and (1 - a) mean + a x ~ N(0, k^2 s^2 a / 2), where a share k of chance's mean is left.
+TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, double share, double scale,
+                         const AlignMovingOptions& options) {
+  const double pull = 2 / (options.tremor_mean * options.tremor_mean), narrowing = 1 + pull * share;
+  TremorPrior prior;
+  prior.spread_variances = spread.variances() / scale;
+  prior.variances = prior.spread_variances / narrowing;
+  for (std::size_t i = 0; i < mean.knots.size(); ++i)
+    prior.means.knots[i] = -pull * (1 - share) / narrowing * mean.knots[i];
+  return prior;
+}
+
+double share_of_mean(double interval) {
+  constexpr double kMemory = 15.0;  // [s]
+  return 1 - std::exp(-interval / kMemory);
+}
+
+ScanTremor mean_with(const ScanTremor& mean, const ScanTremor& tremor, double share) {
+  ScanTremor next = mean;
+  for (std::size_t i = 0; i < next.knots.size(); ++i) next.knots[i] += share * (tremor.knots[i] - mean.knots[i]);
+  return next;
+}
+
+TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& smooth, const TremorPrior& prior,
                                  const MotionState& state) {
   TremblingSystem system;
   system.H.topLeftCorner<12, 12>() = smooth.H;
@@ -54,10 +77,11 @@ TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& s
     system.H.block<12, 12>(at, 0) += HM.transpose();
     system.b.segment<12>(at) += M.transpose() * part.b;
   }
-  const Vector6d weights = spread.variances().cwiseInverse();
+  const Vector6d weights = prior.variances.cwiseInverse();
   for (int i = 0; i <= kIntervals; ++i) {
+    const auto k = std::size_t(i);
     system.H.block<6, 6>(place_of(i), place_of(i)) += weights.asDiagonal();
-    system.b.segment<6>(place_of(i)) += weights.cwiseProduct(state.tremor.knots[std::size_t(i)]);
+    system.b.segment<6>(place_of(i)) += weights.cwiseProduct(state.tremor.knots[k] - prior.means.knots[k]);
   }
   return system;
 }
@@ -79,15 +103,14 @@ Matrix6d covariance_in_middle(const TremblingFactor& factor) {
   return half.transpose() * half;
 }
 
-TremorEvidence evidence_of(const TremblingFactor& factor, const TremorSpread& spread, const ScanTremor& tremor) {
+TremorEvidence evidence_of(const TremblingFactor& factor, const TremorPrior& prior, const ScanTremor& tremor) {
   const TremblingSystem::Matrix L_inverse = factor.matrixL().solve(TremblingSystem::Matrix::Identity());
   const TremblingSystem::Vector all_variances = L_inverse.colwise().squaredNorm();  // H^-1 = L^-T L^-1
-  const Vector6d prior = spread.variances();
   TremorEvidence evidence;
   for (int i = 0; i <= kIntervals; ++i) {
-    const Vector6d& knot = tremor.knots[std::size_t(i)];
-    evidence.squares += by_kind(knot.cwiseAbs2());
-    evidence.freedom += by_kind(Vector6d::Ones() - all_variances.segment<6>(place_of(i)).cwiseQuotient(prior));
+    const Vector6d unknown = all_variances.segment<6>(place_of(i)).cwiseQuotient(prior.spread_variances);
+    evidence.squares += by_kind(tremor.knots[std::size_t(i)].cwiseAbs2());
+    evidence.freedom += by_kind(Vector6d::Ones() - unknown);
   }
   return evidence;
 }

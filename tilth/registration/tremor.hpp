@@ -28,6 +28,26 @@ struct TremorSpread {
 /// As the last scans have shown it, within the bounds of the options.
 TremorSpread tremor_spread(const TremorEvidence& evidence, const AlignMovingOptions& options);
 
+/// What is known of a tremor before its scan: every coordinate of a knot is normal.
+struct TremorPrior {
+  ScanTremor means;
+  Vector6d variances = Vector6d::Zero();
+  Vector6d spread_variances = Vector6d::Zero();  ///< if the means were zero and nothing else known
+};
+
+/// A tremor goes to and fro. One that stayed at an instant of the scan, from scan to scan, would let the part of the
+/// map that is seen at that instant leave the other parts, and nothing would bring it back: the mean of the tremors
+/// over fifteen seconds is held to zero as well. `mean` is that of those before the scan, `share` the weight of the scan in
+/// the next one; `scale` that of the residuals, by which the pairs are surer than they say.
+TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, double share, double scale,
+                         const AlignMovingOptions& options);
+
+/// The weight of a scan in the mean of about fifteen seconds, `interval` [s] after the last one.
+double share_of_mean(double interval);
+
+/// The mean after a scan of this tremor.
+ScanTremor mean_with(const ScanTremor& mean, const ScanTremor& tremor, double share);
+
 /// Pose, velocity and tremor of one linearisation: H x = -b.
 struct TremblingSystem {
   static constexpr int kSize = 12 + 6 * (ScanTremor::kIntervals + 1);
@@ -42,7 +62,7 @@ struct TremblingSystem {
 using TremblingFactor = Eigen::LLT<TremblingSystem::Matrix>;  ///< of H
 
 /// Of the `parts` of a scan at `state`, whose pose and velocity, with their priors, are `smooth`.
-TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& smooth, const TremorSpread& spread,
+TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& smooth, const TremorPrior& prior,
                                  const MotionState& state);
 
 /// Moves `tremor` and gives the step of pose and velocity; false where there is no solution.
@@ -52,6 +72,6 @@ bool step_trembling(const TremblingSystem& system, const TremblingFactor& factor
 Matrix6d covariance_in_middle(const TremblingFactor& factor);
 
 /// What a tremor, estimated by the system of this factor, tells about the spread.
-TremorEvidence evidence_of(const TremblingFactor& factor, const TremorSpread& spread, const ScanTremor& tremor);
+TremorEvidence evidence_of(const TremblingFactor& factor, const TremorPrior& prior, const ScanTremor& tremor);
 
 }  // namespace tilth
