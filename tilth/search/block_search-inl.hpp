@@ -9,6 +9,7 @@
 #endif
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <hwy/highway.h>
@@ -158,18 +159,17 @@ class BlockSearch {
   }
 
   void search_alone(std::uint32_t slot, std::uint32_t lanes) {
-    for (std::uint32_t i = 0; i < lanes; ++i) {
-      NearestRow nearest(table_.k);
-      lone_.search(ring_, slot + i, nearest);
-      nearest.write(lone_.row(slot + i));
-    }
+    constexpr float kAnything = std::numeric_limits<float>::max();
+    for (std::uint32_t i = 0; i < lanes; ++i) lone_.search(ring_, slot + i, kAnything);
   }
 
   // Rows that the keys do not tell: of left lanes, some of whose neighbours are known, and those with ties.
   HWY_NOINLINE void settle(std::uint32_t slot, std::uint32_t lane, bool active) {
     NearestRow nearest(table_.k);
     rows_.offer(lane, nearest);
-    if (!active || !rows_.offer_ties(lane, nearest)) lone_.search(ring_, slot, nearest);
+    if (!active || !rows_.offer_ties(lane, nearest)) {
+      return lone_.search(ring_, slot, nearest.limit());
+    }
     nearest.write(lone_.row(slot));
   }
 

@@ -36,11 +36,26 @@ inline void span_of(const float* values, std::uint32_t count, std::vector<float>
 }
 
 inline void box_of(ChunkBoxes& boxes, const RingLayout& l, std::uint32_t slot, std::uint32_t count) {
-  span_of(&l.x[slot], count, boxes.low_x, boxes.high_x);
-  span_of(&l.y[slot], count, boxes.low_y, boxes.high_y);
-  span_of(&l.z[slot], count, boxes.low_z, boxes.high_z);
+  span_of(&l.x[slot], count, boxes.runs.low_x, boxes.runs.high_x);
+  span_of(&l.y[slot], count, boxes.runs.low_y, boxes.runs.high_y);
+  span_of(&l.z[slot], count, boxes.runs.low_z, boxes.runs.high_z);
   boxes.slots.push_back(slot);
   boxes.counts.push_back(count);
+}
+
+// A vector of boxes is a group.
+inline void fill_groups(const std::vector<float>& runs, std::size_t count, bool low, std::vector<float>& groups) {
+  const hn::ScalableTag<float> d;
+  for (std::size_t i = 0; i < count; i += HWY_LANES(float)) {
+    const auto some = hn::IfThenElse(hn::FirstN(d, count - i), hn::LoadU(d, &runs[i]), hn::Set(d, runs[i]));
+    groups.push_back(hn::GetLane(low ? hn::MinOfLanes(d, some) : hn::MaxOfLanes(d, some)));
+  }
+}
+
+inline void end_with_far(Boxes& b) {
+  for (auto* bounds : {&b.low_x, &b.high_x, &b.low_y, &b.high_y, &b.low_z, &b.high_z}) {
+    bounds->resize(bounds->size() + HWY_LANES(float), std::numeric_limits<float>::infinity());
+  }
 }
 
 /// Boxes of all rings, sector by sector, and far away ones to fill the last vector.
@@ -52,9 +67,16 @@ inline void fill_boxes(ChunkBoxes& boxes, const RingLayout& l) {
       if (i < ring.count) box_of(boxes, l, ring.begin + i, std::min(kChunk, ring.count - i));
     }
   }
-  for (auto* bounds : {&boxes.low_x, &boxes.high_x, &boxes.low_y, &boxes.high_y, &boxes.low_z, &boxes.high_z}) {
-    bounds->resize(boxes.slots.size() + HWY_LANES(float), std::numeric_limits<float>::infinity());
-  }
+  end_with_far(boxes.runs);
+  const std::size_t count = boxes.slots.size();
+  fill_groups(boxes.runs.low_x, count, true, boxes.groups.low_x);
+  fill_groups(boxes.runs.high_x, count, false, boxes.groups.high_x);
+  fill_groups(boxes.runs.low_y, count, true, boxes.groups.low_y);
+  fill_groups(boxes.runs.high_y, count, false, boxes.groups.high_y);
+  fill_groups(boxes.runs.low_z, count, true, boxes.groups.low_z);
+  fill_groups(boxes.runs.high_z, count, false, boxes.groups.high_z);
+  end_with_far(boxes.groups);
+  boxes.distances.resize(boxes.groups.low_x.size());
 }
 
 template <class V>
@@ -65,7 +87,7 @@ HWY_INLINE V outside(V p, V low, V high) {
 /// Squared distances, rounded as those of points are, to the boxes from number `i` on from p, whose x, y and z hold its
 /// coordinate in the first lane.
 template <class D, class Point>
-HWY_INLINE hn::Vec<D> box_distances(D d, const ChunkBoxes& b, std::size_t i, const Point& p) {
+HWY_INLINE hn::Vec<D> box_distances(D d, const Boxes& b, std::size_t i, const Point& p) {
   const auto dx = outside(hn::Set(d, hn::GetLane(p.x)), hn::LoadU(d, &b.low_x[i]), hn::LoadU(d, &b.high_x[i]));
   const auto dy = outside(hn::Set(d, hn::GetLane(p.y)), hn::LoadU(d, &b.low_y[i]), hn::LoadU(d, &b.high_y[i]));
   const auto dz = outside(hn::Set(d, hn::GetLane(p.z)), hn::LoadU(d, &b.low_z[i]), hn::LoadU(d, &b.high_z[i]));

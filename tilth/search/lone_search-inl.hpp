@@ -16,7 +16,7 @@
 
 #include <tilth/search/chunk_boxes-inl.hpp>
 #include <tilth/search/direction_bound-inl.hpp>
-#include <tilth/search/nearest_keys-inl.hpp>
+#include <tilth/search/lone_hits-inl.hpp>
 #include <tilth/search/nearest_row.hpp>
 #include <tilth/search/scan_kernel.hpp>
 
@@ -50,89 +50,114 @@ class LoneSearch {
     return ring.begin + i;
   }
 
-  /// Completes `nearest` of the point in `slot` of a ring, which may hold some of its neighbours already.
-  void search(std::uint32_t ring, std::uint32_t slot, NearestRow& nearest) {
-    Lone p{Queries<One>(One(), l_, slot), nearest, l_.index[slot], l_.azimuth[slot]};
-    if (nearest.limit() > kWide * hn::GetLane(p.query.rho_squared))
-      return search_boxes(p, (slot - l_.rings[ring].begin) / kChunk * l_.rings.size() / kLanes);
-    const auto own = l_.rings.begin() + ring;
-    search_ring(p, *own);
-    for (auto q = own + 1; q != l_.rings.end() && reaches(p, q->lowest_above, kZenith); ++q) search_ring(p, *q);
-    for (auto q = own; q != l_.rings.begin() && reaches(p, kNadir, (q - 1)->highest_below); --q)
-      search_ring(p, *(q - 1));
+  /// Finds and writes the row of the point in `slot` of a ring, whose k nearest others are within the squared distance
+  /// `limit`.
+  HWY_NOINLINE void search(std::uint32_t ring, std::uint32_t slot, float limit) {
+    const Lone p = lone_at(slot);
+    hits_.begin(table_.k, limit);
+    approach(p, ring);
+    if (!complete(p, ring)) return search_plainly(slot);
+    hits_.write(l_.index[slot], row(slot));
   }
 
  private:
   using D = hn::ScalableTag<float>;
+  using Floats = hn::Vec<D>;
   using One = hn::CappedTag<float, 1>;
   static constexpr std::uint32_t kLanes = HWY_LANES(float);
-  static constexpr float kWide = 0.03f;  // squared sine of the widest angle searched by direction
+  static constexpr float kWide = 0.03f;          // squared sine of the widest angle searched by direction
+  static constexpr std::uint32_t kReach = 12;    // points on either side that an approach looks at
+  static constexpr std::uint32_t kLeast = 64;    // points of a ring that is worth it
 
   struct Lone {
     Queries<One> query;
-    NearestRow& row;
-    std::uint32_t self;
+    Floats x, y, z;
     float azimuth;
   };
 
+  HWY_INLINE Lone lone_at(std::uint32_t slot) const {
+    const D d;
+    return {Queries<One>(One(), l_, slot), hn::Set(d, l_.x[slot]), hn::Set(d, l_.y[slot]), hn::Set(d, l_.z[slot]),
+            l_.azimuth[slot]};
+  }
+
   HWY_INLINE bool reaches(const Lone& p, const Elevation& low, const Elevation& high) {
     const auto off = off_elevation(One(), p.query, p.query.rho, low, high);
-    return hn::GetLane(hn::Mul(off, off)) < p.row.limit();
+    return hn::GetLane(hn::Mul(off, off)) <= hits_.limit();
   }
 
   template <int kSide>
   HWY_INLINE bool open(const Lone& p, std::uint32_t slot, const Ring& ring) {
-    return hn::GetLane(side_bound<kSide>(One(), p.query, l_, slot, &ring)) < p.row.limit();
+    return hn::GetLane(side_bound<kSide>(One(), p.query, l_, slot, &ring)) <= hits_.limit();
   }
 
-  // Offers the first `count` points from `slot` on to the row.
-  HWY_INLINE void visit(Lone& p, std::uint32_t slot, std::uint32_t count) {
-    const D d;
-    const auto dx = hn::Sub(hn::LoadU(d, &l_.x[slot]), hn::Set(d, hn::GetLane(p.query.x)));
-    const auto dy = hn::Sub(hn::LoadU(d, &l_.y[slot]), hn::Set(d, hn::GetLane(p.query.y)));
-    const auto dz = hn::Sub(hn::LoadU(d, &l_.z[slot]), hn::Set(d, hn::GetLane(p.query.z)));
-    const auto squared = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
-    const auto near = hn::And(hn::Le(squared, hn::Set(d, p.row.limit())), hn::FirstN(d, count));
-    if (hn::AllFalse(d, near)) return;
-    alignas(64) float distances[kLanes];
-    hn::Store(squared, d, distances);
-    for (std::uint32_t bits = lane_bits(d, near); bits != 0; bits &= bits - 1) {
-      const std::uint32_t i = std::uint32_t(std::countr_zero(bits)), index = l_.index[slot + i];
-      if (index != p.self) p.row.insert(distances[i], index);
+  // Lowers the limit by what lies around the point in its ring and in two above and below.
+  HWY_INLINE void approach(const Lone& p, std::uint32_t ring) {
+    for (const std::uint32_t r : {ring, ring + 1, ring - 1, ring + 2, ring - 2}) {
+      if (r >= l_.rings.size() || l_.rings[r].count < kLeast) continue;
+      const std::uint32_t reach = r == ring ? 2 * kReach : kReach;
+      visit(p, locate(l_.rings[r], p.azimuth) - reach, 2 * reach);
     }
+    hits_.thin();
+    hits_.clear();
   }
 
-  // From the vector of boxes in the point's sector on to both sides.
-  void search_boxes(Lone& p, std::size_t first) {
+  // Takes all that is within the limit.
+  HWY_INLINE bool complete(const Lone& p, std::uint32_t ring) {
+    if (!(hits_.limit() <= kWide * hn::GetLane(p.query.rho_squared))) return search_boxes(p);
+    const auto own = l_.rings.begin() + ring;
+    if (!search_ring(p, *own)) return false;
+    for (auto q = own + 1; q != l_.rings.end() && reaches(p, q->lowest_above, kZenith); ++q) {
+      if (!search_ring(p, *q)) return false;
+    }
+    for (auto q = own; q != l_.rings.begin() && reaches(p, kNadir, (q - 1)->highest_below); --q) {
+      if (!search_ring(p, *(q - 1))) return false;
+    }
+    return true;
+  }
+
+  HWY_INLINE Floats squared_to(const Lone& p, std::uint32_t slot) const {
+    const D d;
+    const Floats dx = hn::Sub(hn::LoadU(d, &l_.x[slot]), p.x), dy = hn::Sub(hn::LoadU(d, &l_.y[slot]), p.y);
+    const Floats dz = hn::Sub(hn::LoadU(d, &l_.z[slot]), p.z);
+    return hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz));
+  }
+
+  // Takes what is near of `count` points from `slot` on. False if too many are equally near.
+  HWY_INLINE bool visit(const Lone& p, std::uint32_t slot, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; i += kLanes) {
+      if (!hits_.take(squared_to(p, slot + i), &l_.index[slot + i], hn::FirstN(D(), count - i))) return false;
+    }
+    return true;
+  }
+
+  // The nearest group first, which leaves few others near enough.
+  HWY_NOINLINE bool search_boxes(const Lone& p) {
     if (boxes_.empty()) fill_boxes(boxes_, l_);
-    const std::size_t vectors = (boxes_.slots.size() + kLanes - 1) / kLanes;
-    first = std::min(first, vectors - 1);
-    std::size_t right = first, left = first;
-    while (right < vectors || left > 0) {
-      if (right < vectors) visit_boxes(p, kLanes * right++);
-      if (left > 0) visit_boxes(p, kLanes * --left);
-    }
-  }
-
-  HWY_INLINE void visit_boxes(Lone& p, std::size_t i) {
     const D d;
-    const auto squared = box_distances(d, boxes_, i, p.query);
-    const std::uint32_t near = lane_bits(d, hn::Le(squared, hn::Set(d, p.row.limit())));
-    if (near == 0) return;
-    alignas(64) float distances[kLanes];
-    hn::Store(squared, d, distances);
-    for (std::uint32_t bits = near; bits != 0; bits &= bits - 1) {
-      const std::size_t j = std::size_t(std::countr_zero(bits));
-      if (distances[j] <= p.row.limit()) visit_run(p, boxes_.slots[i + j], boxes_.counts[i + j]);
+    const std::size_t groups = (boxes_.slots.size() + kLanes - 1) / kLanes;
+    for (std::size_t i = 0; i < groups; i += kLanes) {
+      const auto reached = hn::Le(box_distances(d, boxes_.groups, i, p), hn::Set(d, hits_.limit()));
+      for (std::uint32_t bits = lane_bits(d, reached); bits != 0; bits &= bits - 1) {
+        if (!visit_group(p, kLanes * (i + std::size_t(std::countr_zero(bits))))) return false;
+      }
     }
+    return true;
   }
 
-  HWY_INLINE void visit_run(Lone& p, std::uint32_t slot, std::uint32_t count) {
-    for (std::uint32_t i = 0; i < count; i += kLanes) visit(p, slot + i, std::min(kLanes, count - i));
+  HWY_INLINE bool visit_group(const Lone& p, std::size_t first) {
+    const D d;
+    const auto reached = hn::Le(box_distances(d, boxes_.runs, first, p), hn::Set(d, hits_.limit()));
+    for (std::uint32_t bits = lane_bits(d, reached); bits != 0; bits &= bits - 1) {
+      const std::size_t run = first + std::size_t(std::countr_zero(bits));
+      if (!visit(p, boxes_.slots[run], boxes_.counts[run])) return false;
+    }
+    return true;
   }
 
-  void search_ring(Lone& p, const Ring& ring) {
-    if (!reaches(p, ring.low, ring.high)) return;
+  // Outwards from the point's azimuth on either side.
+  HWY_NOINLINE bool search_ring(const Lone& p, const Ring& ring) {
+    if (!reaches(p, ring.low, ring.high)) return true;
     const std::uint32_t n = ring.count, middle = locate(ring, p.azimuth) - ring.begin;
     std::uint32_t right = 0, left = 0;  // points seen on either side of the middle
     bool right_open = true, left_open = true;
@@ -141,23 +166,42 @@ class LoneSearch {
       right_open = right_open && open<1>(p, ahead, ring);
       if (right_open) {
         const std::uint32_t count = std::min(kLanes, n - right - left);
-        visit(p, ahead, count);
+        if (!visit(p, ahead, count)) return false;
         right += count;
       }
       const std::uint32_t behind = ring.begin + (middle + n - left - 1) % n;
       left_open = left_open && right + left < n && open<-1>(p, behind, ring);
       if (left_open) {
         const std::uint32_t count = std::min(kLanes, n - right - left);
-        visit(p, behind + 1 - count, count);
+        if (!visit(p, behind + 1 - count, count)) return false;
         left += count;
       }
     }
+    return true;
+  }
+
+  // By looking at all points: where so many are equally near that no list of them is of use.
+  HWY_NOINLINE void search_plainly(std::uint32_t slot) {
+    const Lone p = lone_at(slot);
+    NearestRow nearest(table_.k);
+    alignas(64) float distances[kLanes];
+    for (const Ring& ring : l_.rings) {
+      for (std::uint32_t i = 0; i < ring.count; i += kLanes) {
+        const std::uint32_t first = ring.begin + i, lanes = std::min(kLanes, ring.count - i);
+        hn::Store(squared_to(p, first), D(), distances);
+        for (std::uint32_t j = 0; j < lanes; ++j) {
+          if (first + j != slot && distances[j] <= nearest.limit()) nearest.insert(distances[j], l_.index[first + j]);
+        }
+      }
+    }
+    nearest.write(row(slot));
   }
 
   const RingLayout& l_;
   NeighborTable& table_;
   std::vector<std::uint32_t>& cursors_;
   ChunkBoxes& boxes_;
+  LoneHits hits_;
 };
 
 }  // namespace

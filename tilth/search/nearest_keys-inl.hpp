@@ -16,6 +16,8 @@
 
 #include <hwy/highway.h>
 
+#include <tilth/search/compress-inl.hpp>
+
 HWY_BEFORE_NAMESPACE();
 namespace tilth {
 namespace HWY_NAMESPACE {
@@ -25,14 +27,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr std::int32_t kNumberBits = 0xFF;
 constexpr std::int32_t kNoKey = 0x7F7FFFFF;  // a distance that nothing has
-
-/// Bit i is set where lane i is.
-template <class D>
-HWY_INLINE std::uint32_t lane_bits(D d, hn::Mask<D> mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(d, mask, bytes);
-  return bytes[0] | std::uint32_t(bytes[1]) << 8;
-}
 
 struct Comparator {
   std::uint8_t low, high;

@@ -25,11 +25,16 @@ class NearestRow {
 
   std::size_t k() const { return k_; }
 
+  /// Orders by squared distance, then by index.
+  static std::uint64_t entry(float squared, std::uint32_t index) {
+    return std::uint64_t(std::bit_cast<std::uint32_t>(squared)) << 32 | index;
+  }
+
   /// The squared distance beyond which nothing is of use.
   float limit() const { return limit_; }
 
   void insert(float squared, std::uint32_t index) {
-    const std::uint64_t candidate = std::uint64_t(std::bit_cast<std::uint32_t>(squared)) << 32 | index;
+    const std::uint64_t candidate = entry(squared, index);
     std::size_t j = count_;
     while (j > 0 && nearest_[j - 1] > candidate) --j;
     if (j == k_ || (j > 0 && nearest_[j - 1] == candidate)) return;
@@ -49,7 +54,7 @@ class NearestRow {
  private:
   std::uint64_t nearest_[kMost];
   std::size_t k_, count_ = 0;
-  float limit_ = std::numeric_limits<float>::infinity();
+  float limit_ = std::numeric_limits<float>::max();
 };
 
 }  // namespace tilth

@@ -38,14 +38,25 @@ struct RingLayout {
   std::vector<std::uint32_t> index;  ///< of the point in the cloud
 };
 
-/// Boxes [m] around runs of slots; empty until a search needs them.
-struct ChunkBoxes {
+/// Boxes [m], a lane each.
+struct Boxes {
   std::vector<float> low_x, high_x, low_y, high_y, low_z, high_z;
-  std::vector<std::uint32_t> slots, counts;  ///< of each box's run
+
+  void clear() {
+    for (std::vector<float>* v : {&low_x, &high_x, &low_y, &high_y, &low_z, &high_z}) v->clear();
+  }
+};
+
+/// Boxes around runs of slots, and around groups of these; empty until a search needs them.
+struct ChunkBoxes {
+  Boxes runs, groups;
+  std::vector<std::uint32_t> slots, counts;  ///< of each run
+  std::vector<float> distances;              ///< [m^2] from a point to all groups
 
   bool empty() const { return slots.empty(); }
   void clear() {
-    for (std::vector<float>* v : {&low_x, &high_x, &low_y, &high_y, &low_z, &high_z}) v->clear();
+    runs.clear();
+    groups.clear();
     slots.clear();
     counts.clear();
   }
