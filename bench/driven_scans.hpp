@@ -1,5 +1,5 @@
-// Scans of a drive through a simulated scene (seed 101, a VLP-16 that moves), and what a registration starts from: the
-// same for every benchmark of a stage that needs more than one scan.
+// Scans of a drive through a simulated scene (seed 101, a VLP-16 that moves; an HDL-64 in the street), and what a
+// registration starts from: the same for every benchmark of a stage that needs more than one scan.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace tilth::bench {
 
-inline constexpr const char* kScenes[] = {"corridor", "plaza"};
+inline constexpr const char* kScenes[] = {"corridor", "plaza", "street"};
 inline constexpr std::size_t kFirst = 250;  ///< number of the scan that is measured; the robot drives by then
 inline constexpr std::size_t kBefore = 50;  ///< scans before it that make the map
 

@@ -1,6 +1,8 @@
-// Outlier removal by each of its methods, given neighbours. Places: 0 room, 1 corridor, 2 open ground.
+// Outlier removal by each of its methods, given neighbours. Places: 0 room, 1 corridor, 2 open ground. And with the
+// search of neighbours, of a simulated scan (scene 0 corridor, 1 plaza).
 #include <benchmark/benchmark.h>
 
+#include "driven_scans.hpp"
 #include "search/generated_scans.hpp"
 #include <tilth/preprocess/outlier_removal.hpp>
 
@@ -17,8 +19,23 @@ void remove_outliers(benchmark::State& state) {
   state.counters["points"] = double(scan.size());
 }
 
+void find_and_remove_outliers(benchmark::State& state) {
+  const tilth::PointCloud scan = tilth::bench::simulator(state.range(0)).scan(tilth::bench::kFirst).scan.cloud;
+  const tilth::OutlierOptions options{.method = tilth::OutlierMethod(state.range(1))};
+  tilth::ScanNeighbors search;
+  for (auto _ : state) {
+    const tilth::NeighborTable& table = search.compute(scan, std::size_t(options.k));
+    benchmark::DoNotOptimize(tilth::keep_inliers(scan, table, options).data());
+  }
+  state.SetLabel(std::string(names_of(options.method)[std::size_t(options.method)]));
+}
+
 }  // namespace
 
+BENCHMARK(find_and_remove_outliers)
+    ->ArgNames({"scene", "method"})
+    ->ArgsProduct({{0, 1}, {1, 2}})
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(remove_outliers)
     ->ArgNames({"place", "method"})
     ->ArgsProduct({{0, 1, 2}, {1, 2, 3}})

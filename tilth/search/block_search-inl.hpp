@@ -166,10 +166,8 @@ class BlockSearch {
   // Rows that the keys do not tell: of left lanes, some of whose neighbours are known, and those with ties.
   HWY_NOINLINE void settle(std::uint32_t slot, std::uint32_t lane, bool active) {
     NearestRow nearest(table_.k);
-    rows_.offer(lane, nearest);
-    if (!active || !rows_.offer_ties(lane, nearest)) {
-      return lone_.search(ring_, slot, nearest.limit());
-    }
+    if (active) rows_.offer(lane, nearest);
+    if (!active || !rows_.offer_ties(lane, nearest)) return lone_.search(ring_, slot, rows_.limit(lane, table_.k));
     nearest.write(lone_.row(slot));
   }
 

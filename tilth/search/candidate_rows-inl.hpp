@@ -6,6 +6,8 @@
 #define TILTH_SEARCH_CANDIDATE_ROWS_INL
 #endif
 
+#include <bit>
+
 #include <hwy/highway.h>
 
 #include <tilth/search/lone_search-inl.hpp>
@@ -47,6 +49,11 @@ class CandidateRows {
   /// The lane's nearest k as they are seen by their keys, offered to a search.
   HWY_INLINE void offer(std::uint32_t lane, NearestRow& row) const {
     for (std::size_t j = 0; j < row.k(); ++j) insert(lane, j, row);
+  }
+
+  /// A squared distance within which the lane has its nearest k.
+  HWY_INLINE float limit(std::uint32_t lane, std::size_t k) const {
+    return std::bit_cast<float>(keys_[(k - 1) * kLanes + lane] | kNumberBits);
   }
 
   /// Offers all others that may be as near. False if that is more than the keys tell.

@@ -41,23 +41,31 @@ struct FrontLanes {
   }
 };
 
-/// Stores the marked lanes of two vectors, and whatever up to a whole vector, at `to_a` and `to_b`. How many they are.
-template <class D, class DI>
-HWY_INLINE std::uint32_t compress_two(D d, DI di, hn::Mask<D> mask, hn::Vec<D> a, hn::Vec<DI> b, hn::TFromD<D>* to_a,
-                                      hn::TFromD<DI>* to_b) {
-  if constexpr (HWY_LANES(float) > 8) {
-    hn::CompressStore(b, hn::RebindMask(di, mask), di, to_b);
-    return std::uint32_t(hn::CompressStore(a, mask, d, to_a));
-  } else {
-    static constexpr FrontLanes<HWY_LANES(float)> kFront;
-    const std::uint32_t bits = lane_bits(d, mask);
-    const hn::Rebind<std::uint8_t, D> bytes;
-    const auto lanes = hn::PromoteTo(hn::RebindToSigned<D>(), hn::LoadU(bytes, kFront.lanes[bits]));
-    hn::StoreU(hn::TableLookupLanes(a, hn::IndicesFromVec(d, lanes)), d, to_a);
-    hn::StoreU(hn::TableLookupLanes(b, hn::IndicesFromVec(di, lanes)), di, to_b);
-    return std::uint32_t(std::popcount(bits));
+/// The marked lanes, of as many vectors as are stored.
+template <class D>
+class Marked {
+ public:
+  HWY_INLINE Marked(D d, hn::Mask<D> mask) : mask_(mask), bits_(lane_bits(d, mask)) {}
+
+  HWY_INLINE std::uint32_t count() const { return std::uint32_t(std::popcount(bits_)); }
+
+  /// Stores those of `v`, and whatever up to a whole vector.
+  template <class DV>
+  HWY_INLINE void store(DV d, hn::Vec<DV> v, hn::TFromD<DV>* to) const {
+    if constexpr (HWY_LANES(float) > 8) {
+      hn::CompressStore(v, hn::RebindMask(d, mask_), d, to);
+    } else {
+      static constexpr FrontLanes<HWY_LANES(float)> kFront;
+      const auto bytes = hn::LoadU(hn::Rebind<std::uint8_t, D>(), kFront.lanes[bits_]);
+      const auto lanes = hn::PromoteTo(hn::RebindToSigned<D>(), bytes);
+      hn::StoreU(hn::TableLookupLanes(v, hn::IndicesFromVec(d, lanes)), d, to);
+    }
   }
-}
+
+ private:
+  hn::Mask<D> mask_;
+  std::uint32_t bits_;
+};
 
 }  // namespace
 }  // namespace HWY_NAMESPACE

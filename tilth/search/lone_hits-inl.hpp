@@ -1,5 +1,6 @@
-// The candidates of one point that are within a limit, as they come, a vector at a time. The limit is lowered when there
-// are many more than can be of use: by counting how many are within guesses of it, which needs no order among them.
+// The candidates of one point that are within a limit, as they come, a vector at a time. The limit is lowered when
+// there are many more than can be of use: by counting how many are within guesses of it, which needs no order among
+// them.
 #if defined(TILTH_SEARCH_LONE_HITS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef TILTH_SEARCH_LONE_HITS_INL
 #undef TILTH_SEARCH_LONE_HITS_INL
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include <hwy/highway.h>
 
@@ -24,9 +26,9 @@ class LoneHits {
   using D = hn::ScalableTag<float>;
   using DU = hn::RebindToUnsigned<D>;
   static constexpr std::uint32_t kLanes = HWY_LANES(float);
-  static constexpr std::uint32_t kMost = 96;    // hits before they are thinned
-  static constexpr std::uint32_t kSpare = 4;    // hits that thinning may leave besides those that are wanted
-  static constexpr int kMostGuesses = 16;
+  static constexpr std::uint32_t kMost = 96;  // hits before they are thinned
+  static constexpr std::uint32_t kSpare = 4;  // hits that thinning may leave besides those that are wanted
+  static constexpr int kMostGuesses = 24;
 
  public:
   /// For a point whose k nearest others are within the squared distance `limit`.
@@ -43,7 +45,10 @@ class LoneHits {
   HWY_INLINE bool take(hn::Vec<D> squared, const std::uint32_t* index, hn::Mask<D> valid) {
     const D d;
     const auto near = hn::And(hn::Le(squared, hn::Set(d, limit_)), valid);
-    count_ += compress_two(d, DU(), near, squared, hn::LoadU(DU(), index), distances_ + count_, indices_ + count_);
+    const Marked<D> marked(d, near);
+    marked.store(DU(), hn::LoadU(DU(), index), indices_ + count_);
+    marked.store(d, squared, distances_ + count_);
+    count_ += marked.count();
     return count_ <= kMost || thin();
   }
 
@@ -54,7 +59,7 @@ class LoneHits {
     std::uint32_t below = 0, hits = count_;
     for (int i = 0; i < kMostGuesses && hits > most; ++i) {
       const float share = float(k_ + 1 + kSpare / 2 - below) / float(hits - below);
-      const float guess = low + (high - low) * (i % 4 == 3 ? 0.5f : share);
+      const float guess = i % 3 == 2 ? std::sqrt(std::max(low, 1e-6f * high) * high) : low + (high - low) * share;
       const std::uint32_t count = count_within(guess);
       (count <= k_ ? low : high) = guess;
       (count <= k_ ? below : hits) = count;
@@ -106,7 +111,10 @@ class LoneHits {
       const auto squared = hn::Load(d, distances_ + j);
       const auto index = hn::Load(DU(), indices_ + j);
       const auto within = hn::And(hn::Le(squared, hn::Set(d, limit)), hn::FirstN(d, count_ - j));
-      kept += compress_two(d, DU(), within, squared, index, distances_ + kept, indices_ + kept);
+      const Marked<D> marked(d, within);
+      marked.store(DU(), index, indices_ + kept);
+      marked.store(d, squared, distances_ + kept);
+      kept += marked.count();
     }
     count_ = kept;
   }

@@ -18,6 +18,7 @@
 #include <tilth/search/direction_bound-inl.hpp>
 #include <tilth/search/lone_hits-inl.hpp>
 #include <tilth/search/nearest_row.hpp>
+#include <tilth/search/plain_search-inl.hpp>
 #include <tilth/search/scan_kernel.hpp>
 
 HWY_BEFORE_NAMESPACE();
@@ -55,8 +56,8 @@ class LoneSearch {
   HWY_NOINLINE void search(std::uint32_t ring, std::uint32_t slot, float limit) {
     const Lone p = lone_at(slot);
     hits_.begin(table_.k, limit);
-    approach(p, ring);
-    if (!complete(p, ring)) return search_plainly(slot);
+    if (wide(p)) approach(p, ring);
+    if (!complete(p, ring)) return search_plainly(l_, slot, row(slot));
     hits_.write(l_.index[slot], row(slot));
   }
 
@@ -65,9 +66,9 @@ class LoneSearch {
   using Floats = hn::Vec<D>;
   using One = hn::CappedTag<float, 1>;
   static constexpr std::uint32_t kLanes = HWY_LANES(float);
-  static constexpr float kWide = 0.03f;          // squared sine of the widest angle searched by direction
-  static constexpr std::uint32_t kReach = 12;    // points on either side that an approach looks at
-  static constexpr std::uint32_t kLeast = 64;    // points of a ring that is worth it
+  static constexpr float kWide = 0.03f;        // squared sine of the widest angle searched by direction
+  static constexpr std::uint32_t kReach = 12;  // points on either side that an approach looks at
+  static constexpr std::uint32_t kLeast = 64;  // points of a ring that is worth it
 
   struct Lone {
     Queries<One> query;
@@ -91,6 +92,9 @@ class LoneSearch {
     return hn::GetLane(side_bound<kSide>(One(), p.query, l_, slot, &ring)) <= hits_.limit();
   }
 
+  // Whether what is within the limit lies in so many directions that bounds by direction are of no use.
+  HWY_INLINE bool wide(const Lone& p) const { return !(hits_.limit() <= kWide * hn::GetLane(p.query.rho_squared)); }
+
   // Lowers the limit by what lies around the point in its ring and in two above and below.
   HWY_INLINE void approach(const Lone& p, std::uint32_t ring) {
     for (const std::uint32_t r : {ring, ring + 1, ring - 1, ring + 2, ring - 2}) {
@@ -104,7 +108,7 @@ class LoneSearch {
 
   // Takes all that is within the limit.
   HWY_INLINE bool complete(const Lone& p, std::uint32_t ring) {
-    if (!(hits_.limit() <= kWide * hn::GetLane(p.query.rho_squared))) return search_boxes(p);
+    if (wide(p)) return search_boxes(p);
     const auto own = l_.rings.begin() + ring;
     if (!search_ring(p, *own)) return false;
     for (auto q = own + 1; q != l_.rings.end() && reaches(p, q->lowest_above, kZenith); ++q) {
@@ -131,7 +135,7 @@ class LoneSearch {
     return true;
   }
 
-  // The nearest group first, which leaves few others near enough.
+  // Groups of boxes that the limit reaches, then the boxes of these, then their points.
   HWY_NOINLINE bool search_boxes(const Lone& p) {
     if (boxes_.empty()) fill_boxes(boxes_, l_);
     const D d;
@@ -178,23 +182,6 @@ class LoneSearch {
       }
     }
     return true;
-  }
-
-  // By looking at all points: where so many are equally near that no list of them is of use.
-  HWY_NOINLINE void search_plainly(std::uint32_t slot) {
-    const Lone p = lone_at(slot);
-    NearestRow nearest(table_.k);
-    alignas(64) float distances[kLanes];
-    for (const Ring& ring : l_.rings) {
-      for (std::uint32_t i = 0; i < ring.count; i += kLanes) {
-        const std::uint32_t first = ring.begin + i, lanes = std::min(kLanes, ring.count - i);
-        hn::Store(squared_to(p, first), D(), distances);
-        for (std::uint32_t j = 0; j < lanes; ++j) {
-          if (first + j != slot && distances[j] <= nearest.limit()) nearest.insert(distances[j], l_.index[first + j]);
-        }
-      }
-    }
-    nearest.write(row(slot));
   }
 
   const RingLayout& l_;
