@@ -13,6 +13,11 @@ constexpr double kMiddle = 0.05;  // [s]
 constexpr int kKnots = ScanTremor::kIntervals + 1;
 const TremorSpread kSpread{2e-3, 1.5e-3, 1e-3};
 
+/// Nothing known but the spread.
+TremorPrior prior_of(const TremorSpread& spread) {
+  return tremor_prior(spread, {}, 0.0, 1.0, AlignMovingOptions());
+}
+
 /// Pairs of flat patches all around, whose residuals are those of a LiDAR that deviates by `tremor`, and of noise [m].
 PatchPairs pairs_of(const ScanTremor& tremor, double noise, std::uint32_t seed) {
   std::mt19937 rng(seed);
@@ -54,7 +59,8 @@ TEST(Tremor, TheSystemIsThatOfTheQuadraticCost) {
   std::mt19937 rng(1);
   const PatchPairs pairs = pairs_of(some_tremor(3e-3, 3e-3, rng), 0.01, 2);
   const MovingParts parts = linearize(pairs, state_at_rest());
-  const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), kSpread, state_at_rest());
+  const TremblingSystem system =
+      trembling_system(parts, with_weak_prior(sum_of(parts)), prior_of(kSpread), state_at_rest());
 
   // 1/2 x^T H x + b^T x must be the cost of any step x, less that of none
   const auto cost = [&](const Eigen::VectorXd& x) {
@@ -88,7 +94,7 @@ TEST(Tremor, IsFoundWhereTheSurfacesShowIt) {
   const MovingParts parts = linearize(pairs_of(truth, 0.003, 4), state);
   Vector12d step;
   ScanTremor found;
-  const TremblingSystem system = trembling_system(parts, sum_of(parts), kSpread, state);
+  const TremblingSystem system = trembling_system(parts, sum_of(parts), prior_of(kSpread), state);
   ASSERT_TRUE(step_trembling(system, TremblingFactor(system.H), step, found));
   for (int k = 0; k < kKnots; ++k) {
     const double lever = kMiddle * (2.0 * k / ScanTremor::kIntervals - 1);
@@ -101,14 +107,15 @@ TEST(Tremor, IsFoundWhereTheSurfacesShowIt) {
 TEST(Tremor, AddsToTheCovarianceOfThePose) {
   const MotionState state = state_at_rest();
   const MovingParts parts = linearize(pairs_of({}, 0.003, 4), state);
-  const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), kSpread, state);
+  const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), prior_of(kSpread), state);
   const TremblingSystem::Matrix all = system.H.inverse();
   const int middle = 12 + 6 * (kKnots / 2);
   const Matrix6d cross = all.block<6, 6>(0, middle);
   const Matrix6d expected = all.topLeftCorner<6, 6>() + cross + cross.transpose() + all.block<6, 6>(middle, middle);
   const TremblingFactor factor(system.H);
   EXPECT_TRUE(covariance_in_middle(factor).isApprox(expected, 1e-9));
-  const TremblingSystem still = trembling_system(parts, with_weak_prior(sum_of(parts)), {1e-7, 1e-7, 1e-7}, state);
+  const TremblingSystem still =
+      trembling_system(parts, with_weak_prior(sum_of(parts)), prior_of({1e-7, 1e-7, 1e-7}), state);
   EXPECT_LT(covariance_in_middle(TremblingFactor(still.H)).trace(), 0.5 * covariance_in_middle(factor).trace());
 }
 
@@ -121,13 +128,13 @@ TEST(Tremor, ItsSizeFollowsFromWhatScansShow) {
     for (std::uint32_t scan = 0; scan < 10; ++scan) {
       const MotionState state = state_at_rest();
       const MovingParts parts = linearize(pairs_of(some_tremor(rotation, 0, rng), 0.003, scan), state);
-      const TremorSpread spread = tremor_spread(evidence, options);
-      const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), spread, state);
+      const TremorPrior prior = prior_of(tremor_spread(evidence, options));
+      const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), prior, state);
       Vector12d step;
       ScanTremor found;
       const TremblingFactor factor(system.H);
       ASSERT_TRUE(step_trembling(system, factor, step, found));
-      const TremorEvidence fresh = evidence_of(factor, spread, found);
+      const TremorEvidence fresh = evidence_of(factor, prior, found);
       evidence = {evidence.squares + fresh.squares, evidence.freedom + fresh.freedom};
     }
     const TremorSpread spread = tremor_spread(evidence, options);
@@ -135,6 +142,54 @@ TEST(Tremor, ItsSizeFollowsFromWhatScansShow) {
     EXPECT_NEAR(spread.yaw, std::max(rotation, options.tremor_least_rotation), 6e-4);
     EXPECT_NEAR(spread.translation, options.tremor_least_translation, 2e-4);
   }
+}
+
+TEST(Tremor, ThePriorIsThatOfTheKnotsAndOfTheirMean) {
+  AlignMovingOptions options;
+  options.tremor_mean = 0.4;
+  std::mt19937 rng(6);
+  const ScanTremor mean = some_tremor(1e-4, 1e-4, rng);
+  constexpr double kShare = 0.05, kScale = 0.1;
+  const TremorPrior prior = tremor_prior(kSpread, mean, kShare, kScale, options);
+  const Vector6d s2 = kSpread.variances() / kScale;
+  for (std::size_t k = 0; k < mean.knots.size(); ++k) {
+    for (int i = 0; i < 6; ++i) {
+      const auto cost = [&](double x) {
+        const double left = (1 - kShare) * mean.knots[k][i] + kShare * x;
+        const double mean_variance = options.tremor_mean * options.tremor_mean * s2[i] * kShare / 2;
+        return 0.5 * x * x / s2[i] + 0.5 * left * left / mean_variance;
+      };
+      const double best = prior.means.knots[k][i], sigma = std::sqrt(prior.variances[i]);
+      EXPECT_NEAR(cost(best + sigma) - cost(best), 0.5, 1e-6);
+      EXPECT_NEAR(cost(best - sigma) - cost(best), 0.5, 1e-6);
+    }
+  }
+  EXPECT_TRUE(prior.spread_variances.isApprox(s2));
+}
+
+TEST(Tremor, WhatStaysAtAnInstantIsTakenBack) {
+  const AlignMovingOptions options;
+  const auto left_after_a_minute = [&](bool held) {
+    ScanTremor mean;
+    std::mt19937 rng(7);
+    const MotionState state = state_at_rest();
+    for (int scan = 0; scan < 300; ++scan) {
+      ScanTremor crooked;  // the part of the map that is seen first is displaced
+      crooked.knots[0][5] = 2e-3;
+      const MovingParts parts = linearize(pairs_of(crooked, 0.003, std::uint32_t(scan % 5)), state);
+      const double share = share_of_mean(0.1);
+      const TremorPrior prior = held ? tremor_prior(kSpread, mean, share, 1, options) : prior_of(kSpread);
+      const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), prior, state);
+      Vector12d step;
+      ScanTremor found;
+      EXPECT_TRUE(step_trembling(system, TremblingFactor(system.H), step, found));
+      mean = mean_with(mean, found, share);
+    }
+    return mean.knots[0][5];
+  };
+  const double free = left_after_a_minute(false), held = left_after_a_minute(true);
+  EXPECT_GT(free, 1e-4);
+  EXPECT_LT(std::abs(held), 0.3 * free);
 }
 
 TEST(Tremor, NoneWhereTheOptionsAllowNone) {

@@ -99,7 +99,7 @@ bool step_steady(const MovingSystem& system, Vector12d& step) {
 
 // Squared residuals are less than their variances promise, which are wide on purpose: the scale of the covariance.
 double residual_scale(const PatchPairs& pairs, double error) {
-  constexpr double kState = 12, kLeast = 1e-3;
+  constexpr double kState = 12, kLeast = 0.05;
   const double freedom = double(pairs.flat.size()) + 3 * double(pairs.shapes.size()) - kState;
   return std::max(kLeast, 2 * error / std::max(1.0, freedom));
 }
