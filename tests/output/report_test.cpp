@@ -14,6 +14,7 @@
 #include <tilth/output/report_json.hpp>
 #include <tilth/output/run_report.hpp>
 #include <tilth/output/svg_canvas.hpp>
+#include <tilth/output/svg_frame.hpp>
 #include <tilth/output/svg_plot.hpp>
 
 namespace tilth {
@@ -103,6 +104,14 @@ TEST(HtmlReport, SaysWhatDiffersFromTheDefaults) {
   const std::string html = html_report(report_of(bent_run("run"), 1000));
   EXPECT_NE(html.find("<tr><td>k</td><td>5</td><td>10</td>"), std::string::npos);
   EXPECT_EQ(html.find("<td>same</td>"), std::string::npos);
+}
+
+TEST(HtmlReport, EveryNoteHasALineOfItsOwn) {
+  Report report;
+  report.notes = {"Failed: one <source>.", "Failed: another."};
+  const std::string html = html_report(report);
+  EXPECT_NE(html.find("<li>Failed: one &lt;source&gt;.</li><li>Failed: another.</li>"), std::string::npos) << html;
+  EXPECT_EQ(html_report(Report{}).find("<li>"), std::string::npos);
 }
 
 TEST(HtmlReport, IsWrittenForARunWithoutAScan) {
@@ -226,6 +235,20 @@ TEST(SvgPlot, BearsCurvesWithoutAPointAndWithOneValue) {
     EXPECT_EQ(svg.find("nan"), std::string::npos);
     EXPECT_EQ(svg.find("inf"), std::string::npos);
   }
+}
+
+TEST(SvgPlot, LongValuesHaveRoomBesideTheNameOfTheirAxis) {
+  constexpr double kDigit = 6, kName = 22;  // [px] width of a digit; where the name of the axis ends
+  Plot plot;
+  plot.y = {"RMSE", "m"};
+  plot.curves = {{"k", {5, 10, 20}, {0.00204F, 0.00205F, 0.00225F}, {}}};
+  EXPECT_GT(left_of(plot) - 6 - kDigit * 7, kName) << "0.00225";
+  plot.curves = {{"k", {5, 10}, {0.1F, 0.2F}, {}}};
+  const double narrow = left_of(plot);
+  plot.kind = PlotKind::heat;
+  plot.categories = {"0.5"};
+  plot.curves = {{"a row with a long name", {}, {1}, {}}};
+  EXPECT_GT(left_of(plot), narrow + 50);
 }
 
 TEST(SvgPlot, OfNothingButZerosHasNoNegativeAxis) {

@@ -90,8 +90,8 @@ Section section_of(const std::vector<MethodSummary>& entries, const std::string&
 Report report_of(const Comparison& comparison) {
   Report report;
   report.title = "Comparison";
-  report.subtitle = "tilth " + comparison.version + ".";
-  for (const std::string& note : summary_table(comparison).notes) report.subtitle += " " + note;
+  report.subtitle = "Tilth " + comparison.version;
+  report.notes = summary_table(comparison).notes;
   std::size_t failed = 0;
   for (const RunOutcome& run : comparison.runs) failed += run.failure.empty() ? 0 : 1;
   report.facts = {{"runs", std::to_string(comparison.runs.size())}, {"failed", std::to_string(failed)}};

@@ -55,7 +55,10 @@ std::string header_html(const Report& report) {
   for (const Fact& fact : report.facts) {
     html += "<div>" + element("dt", fact.name) + element("dd", fact.value) + "</div>";
   }
-  html += "</dl>\n<nav>";
+  html += "</dl>\n";
+  if (!report.notes.empty()) html += "<ul class=\"notes\">";
+  for (const std::string& note : report.notes) html += element("li", note);
+  html += report.notes.empty() ? "<nav>" : "</ul>\n<nav>";
   for (const Section& section : report.sections) {
     html += "<a href=\"#" + markup_text(section.id) + "\">" + markup_text(section.heading) + "</a>";
   }

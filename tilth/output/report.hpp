@@ -74,7 +74,8 @@ struct Fact {
 
 struct Report {
   std::string title, subtitle;
-  std::vector<Fact> facts;  ///< the few figures at the top
+  std::vector<Fact> facts;         ///< the few figures at the top
+  std::vector<std::string> notes;  ///< sentences below them: what the figures are, what failed
   std::optional<MapView> map;
   std::vector<Section> sections;
 };

@@ -7,7 +7,7 @@ namespace tilth {
 namespace {
 
 constexpr double kWidth = 720, kPlotHeight = 220;        // [px] of the drawing; of the frame of lines
-constexpr double kLeft = 62, kRight = 16, kBottom = 42;  // [px] round the frame
+constexpr double kLeft = 62, kRight = 16, kBottom = 42;  // [px] round the frame, at least
 constexpr double kLowestPath = 150, kHighestPath = 460;  // [px] of the frame of a path
 constexpr double kHeadroom = 0.05;                       // share of the range left free at its ends
 
@@ -56,12 +56,35 @@ SvgFrame path_frame(SvgFrame frame, const Plot& plot) {
   return frame;
 }
 
+std::vector<std::string> y_names(const Plot& plot) {
+  std::vector<std::string> names;
+  if (plot.kind == PlotKind::heat) {
+    for (const Curve& curve : plot.curves) names.push_back(curve.name);
+    return names;
+  }
+  const Range range = y_range(plot);
+  const double step = y_tick_step(plot, range);
+  for (const double tick : ticks(range, step)) names.push_back(tick_text(tick, step));
+  return names;
+}
+
 }  // namespace
+
+double y_tick_step(const Plot& plot, const Range& range) {
+  return tick_step(range, plot.kind == PlotKind::path ? 6 : 5);
+}
+
+double left_of(const Plot& plot) {
+  constexpr double kName = 24, kGap = 8, kLetter = 6.2;  // [px] of the axis' name, beside it, of a letter
+  std::size_t longest = 0;
+  for (const std::string& name : y_names(plot)) longest = std::max(longest, name.size());
+  return std::max(kLeft, kName + kGap + kLetter * double(longest));
+}
 
 SvgFrame frame_of(const Plot& plot, double head) {
   SvgFrame frame;
   frame.width = kWidth;
-  frame.left = kLeft;
+  frame.left = left_of(plot);
   frame.right = kWidth - kRight;
   frame.top = head;
   frame.bottom = head + kPlotHeight;

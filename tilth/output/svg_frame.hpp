@@ -18,6 +18,12 @@ struct SvgFrame {
   SvgPoint at(double vx, double vy) const { return {x(vx), y(vy)}; }
 };
 
+/// [px] of the frame's left edge: beside it the longest value of the y axis, and the axis' name, have room.
+double left_of(const Plot& plot);
+
+/// Between two values that the y axis names.
+double y_tick_step(const Plot& plot, const Range& range);
+
 /// The frame of `plot`, `head` [px] below the drawing's upper edge.
 SvgFrame frame_of(const Plot& plot, double head);
 

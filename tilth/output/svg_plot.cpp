@@ -86,7 +86,7 @@ void draw_y_axis(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
   const bool heat = plot.kind == PlotKind::heat;
   for (std::size_t c = 0; heat && c < plot.curves.size(); ++c)
     canvas.text({frame.left - 6, frame.y(double(c) + 0.5) + 4}, plot.curves[c].name, "tick end");
-  const double step = tick_step(frame.y.range, plot.kind == PlotKind::path ? 6 : 5);
+  const double step = y_tick_step(plot, frame.y.range);
   for (const double tick : heat ? std::vector<double>{} : ticks(frame.y.range, step)) {
     canvas.line({frame.left, frame.y(tick)}, {frame.right, frame.y(tick)}, "grid");
     canvas.text({frame.left - 6, frame.y(tick) + 4}, tick_text(tick, step), "tick end");
@@ -113,7 +113,7 @@ std::string drawn(const Plot& plot, bool file) {
   const bool shaded = !plot.shade.label.empty();
   std::vector<LegendEntry> entries = shaded ? std::vector<LegendEntry>{} : entries_of(plot);
   const double legend_top = head - 6;
-  head = place(entries, legend_top, 62, 704) + (shaded ? kLegendRow : 0);
+  head = place(entries, legend_top, left_of(plot), 704) + (shaded ? kLegendRow : 0);
   const SvgFrame frame = frame_of(plot, head);
   SvgCanvas canvas(frame.width, frame.height);
   if (file) canvas.text({frame.left, 22}, plot.title, "title");

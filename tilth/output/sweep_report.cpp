@@ -147,8 +147,8 @@ Report report_of(const Sweep& sweep) {
   const FigureTable table = sweep_table(sweep);
   Report report;
   report.title = "Sweep of " + sweep.pipeline;
-  report.subtitle = "tilth " + sweep.version + ".";
-  for (const std::string& note : table.notes) report.subtitle += " " + note;
+  report.subtitle = "Tilth " + sweep.version;
+  report.notes = table.notes;
   const auto failed = std::count_if(sweep.runs.begin(), sweep.runs.end(),
                                     [](const SweepRun& run) { return !run.outcome.failure.empty(); });
   report.facts = {{"runs", std::to_string(sweep.runs.size())}, {"failed", std::to_string(failed)}};
