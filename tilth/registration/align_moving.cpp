@@ -91,6 +91,30 @@ void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& option
   add(6, change, state.velocity - prior.steady_velocity);
 }
 
+// Before, pairs are yet to be found.
+bool narrow(const MotionState& state, const AlignMovingOptions& options) {
+  return state.kernel_width <= options.kernel_width;
+}
+
+struct Linearized {
+  MovingParts parts;
+  MovingSystem whole = {};
+};
+
+void add_priors(const PatchPairs& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
+                const MotionState& state, Linearized& at_state) {
+  if (prior.known && narrow(state, options)) {
+    const Matrix6d keep = trusted_part(pairs, state.T_map_lidar, options);
+    if (!keep.isIdentity(0)) {
+      keep_only(keep, at_state.parts);
+      at_state.whole = sum_of(at_state.parts);
+      add_steady_prior(prior, options, keep, state, at_state.whole);
+    }
+  }
+  if (prior.known) add_pose_prior(prior, options, state, at_state.whole);
+  add_velocity_prior(prior, options, state, at_state.whole);
+}
+
 bool step_steady(const MovingSystem& system, Vector12d& step) {
   const Eigen::LDLT<Matrix12d> factor(system.H);
   step = factor.solve(-system.b);
@@ -137,24 +161,15 @@ MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
 
 bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
                  MotionState& state, MovingAlignment& result) {
-  MovingParts parts = linearize(pairs, state);
-  MovingSystem system = sum_of(parts);
+  Linearized at_state{.parts = linearize(pairs, state)};
+  at_state.whole = sum_of(at_state.parts);
   ++result.pose.iterations;
-  diagnose(system.pose, options.degeneracy_ratio, result.pose);
+  diagnose(at_state.whole.pose, options.degeneracy_ratio, result.pose);
   if (pairs.size() < std::size_t(options.min_matches)) return false;
-  const bool narrow = state.kernel_width <= options.kernel_width;  // before, pairs are yet to be found
-  if (prior.known && narrow) {
-    const Matrix6d keep = trusted_part(pairs, state.T_map_lidar, options);
-    if (!keep.isIdentity(0)) {
-      keep_only(keep, parts);
-      system = sum_of(parts);
-      add_steady_prior(prior, options, keep, state, system);
-    }
-  }
-  if (prior.known) add_pose_prior(prior, options, state, system);
-  add_velocity_prior(prior, options, state, system);
+  add_priors(pairs, prior, options, state, at_state);
+  const MovingSystem& system = at_state.whole;
   const double scale = residual_scale(pairs, result.pose.error);
-  const bool may_tremble = prior.known && narrow && state.middle > 0;
+  const bool may_tremble = prior.known && narrow(state, options) && state.middle > 0;
   const TremorSpread spread = may_tremble ? tremor_spread(prior.tremor, options) : TremorSpread();
   const TremorPrior tremor = tremor_prior(spread, prior.tremor_mean, share_of_mean(prior.interval), scale, options);
   std::optional<TremblingFactor> trembling;
@@ -162,7 +177,7 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   if (spread.none()) {
     if (!step_steady(system, step)) return false;
   } else {
-    const TremblingSystem whole = trembling_system(parts, system, tremor, state);
+    const TremblingSystem whole = trembling_system(at_state.parts, system, tremor, state);
     trembling.emplace(whole.H);
     if (!step_trembling(whole, *trembling, step, state.tremor)) return false;
   }
