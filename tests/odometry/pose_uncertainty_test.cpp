@@ -36,6 +36,17 @@ TEST(PoseUncertainty, GrowsByItsOwnOnceInTheAgeOfTheSurfaces) {
   EXPECT_NEAR(covariance(3, 3) / kOwn(3, 3), 10, 1) << "100 s over surfaces that are 10 s old";
 }
 
+TEST(PoseUncertainty, GrowsFromPoseToPoseWhereSurfacesSayNothing) {
+  PoseUncertainty uncertainty;
+  Matrix6d covariance, ahead = Matrix6d::Zero();
+  ahead(3, 3) = 1;
+  for (int i = 0; i <= 400; ++i) covariance = uncertainty.add({0.1 * i, at(0.1 * i), kOwn, 0, ahead});
+  EXPECT_NEAR(covariance(3, 3) / kOwn(3, 3), 401, 1e-6);
+  EXPECT_NEAR(covariance(4, 4) / kOwn(4, 4), 1, 1e-6) << "held by the walls";
+  const Matrix6d turned = uncertainty.add({40.1, at(40, M_PI / 2), kOwn, 0, Matrix6d::Zero()});
+  EXPECT_TRUE(turned.isApprox(kOwn)) << "back at the first surfaces";
+}
+
 TEST(PoseUncertainty, ShrinksAmongOldSurfaces) {
   PoseUncertainty uncertainty;
   for (int i = 0; i <= 1000; ++i) uncertainty.add({0.1 * i, at(0), kOwn, std::max(0.0, 0.1 * i - 10)});

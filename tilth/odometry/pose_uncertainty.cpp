@@ -12,10 +12,13 @@ constexpr double kStep = 0.5;  // [s] between the instants that are kept
 Matrix6d PoseUncertainty::add(const RegisteredPose& pose) {
   const Matrix6d to_map = adjoint(pose.T_map_lidar), to_lidar = adjoint(pose.T_map_lidar.inverse());
   if (instants_.empty()) instants_.push_back({pose.time, Matrix6d::Zero()});
-  const Matrix6d inherited = covariance_at(pose.surfaces_seen_at);
-  if (pose.time - instants_.back().time >= kStep)
-    instants_.push_back({pose.time, inherited + to_map * pose.covariance * to_map.transpose()});
-  return pose.covariance + to_lidar * inherited * to_lidar.transpose();
+  const Matrix6d lost = to_map * pose.dead_reckoned * to_lidar, kept = Matrix6d::Identity() - lost;
+  const Matrix6d in_map = kept * covariance_at(pose.surfaces_seen_at) * kept.transpose() +
+                          lost * last_covariance_in_map_ * lost.transpose() +
+                          to_map * pose.covariance * to_map.transpose();
+  if (pose.time - instants_.back().time >= kStep) instants_.push_back({pose.time, in_map});
+  last_covariance_in_map_ = in_map;
+  return to_lidar * in_map * to_lidar.transpose();
 }
 
 Matrix6d PoseUncertainty::covariance_at(double time) const {

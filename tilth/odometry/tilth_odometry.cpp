@@ -75,7 +75,8 @@ Matrix6d TilthOdometry::covariance_of(const MovingAlignment& alignment, double t
   return uncertainty_.add({.time = time,
                            .T_map_lidar = alignment.pose.T_target_source,
                            .covariance = options_.covariance_scale * alignment.covariance,
-                           .surfaces_seen_at = alignment.surfaces_seen_at.value_or(last_middle_ - begin_)});
+                           .surfaces_seen_at = alignment.surfaces_seen_at.value_or(last_middle_ - begin_),
+                           .dead_reckoned = alignment.dead_reckoned});
 }
 
 void TilthOdometry::insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment) {

@@ -76,18 +76,22 @@ void keep_only(const Matrix6d& keep, MovingParts& parts) {
   }
 }
 
+// Standard deviation [rad, m] of a pose that goes on at the velocity of the last second.
+double steady_shift(const MotionPrior& prior, const AlignMovingOptions& options) {
+  return 0.5 * prior.interval * prior.interval * options.steady_acceleration;
+}
+
 // ... and the motion goes on as it was in the last second.
-void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& options, const Matrix6d& keep,
+void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& options, const Matrix6d& lost,
                       const MotionState& state, MovingSystem& system) {
-  const Matrix6d lost = Matrix6d::Identity() - keep;
-  const double change = prior.interval * options.steady_acceleration, shift = 0.5 * prior.interval * change;
+  const double change = prior.interval * options.steady_acceleration;
   const Pose T_map_steady = retract(prior.T_map_last, prior.steady_velocity * prior.interval);
   const auto add = [&](int at, double sigma, const Vector6d& residual) {
     const Matrix6d Jt = lost.transpose() / (sigma * sigma);
     system.H.block<6, 6>(at, at) += Jt * lost;
     system.b.segment<6>(at) += Jt * (lost * residual);
   };
-  add(0, shift, log(T_map_steady.inverse() * state.T_map_lidar));
+  add(0, steady_shift(prior, options), log(T_map_steady.inverse() * state.T_map_lidar));
   add(6, change, state.velocity - prior.steady_velocity);
 }
 
@@ -99,6 +103,7 @@ bool narrow(const MotionState& state, const AlignMovingOptions& options) {
 struct Linearized {
   MovingParts parts;
   MovingSystem whole = {};
+  Matrix6d lost = Matrix6d::Zero();  // * x is the part of a motion x of the pose that the pairs are not heard about
 };
 
 void add_priors(const PatchPairs& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
@@ -108,7 +113,8 @@ void add_priors(const PatchPairs& pairs, const MotionPrior& prior, const AlignMo
     if (!keep.isIdentity(0)) {
       keep_only(keep, at_state.parts);
       at_state.whole = sum_of(at_state.parts);
-      add_steady_prior(prior, options, keep, state, at_state.whole);
+      at_state.lost = Matrix6d::Identity() - keep;
+      add_steady_prior(prior, options, at_state.lost, state, at_state.whole);
     }
   }
   if (prior.known) add_pose_prior(prior, options, state, at_state.whole);
@@ -126,12 +132,6 @@ double residual_scale(const PatchPairs& pairs, double error) {
   constexpr double kState = 12, kLeast = 0.05;
   const double freedom = double(pairs.flat.size()) + 3 * double(pairs.shapes.size()) - kState;
   return std::max(kLeast, 2 * error / std::max(1.0, freedom));
-}
-
-TremorEvidence faded_sum(const MotionPrior& prior, const TremorEvidence& fresh) {
-  constexpr double kMemory = 2.0;  // [s]
-  const double old = std::exp(-prior.interval / kMemory);
-  return {old * prior.tremor.squares + fresh.squares, old * prior.tremor.freedom + fresh.freedom};
 }
 
 }  // namespace
@@ -154,7 +154,7 @@ MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
           motion,
           steady,
           0.0,
-          faded_sum(prior, alignment.evidence),
+          faded_sum(prior.tremor, alignment.evidence, prior.interval),
           mean_with(prior.tremor_mean, alignment.tremor, share_of_mean(prior.interval)),
           prior.known || known};
 }
@@ -189,7 +189,9 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   if (trembling) result.evidence = evidence_of(*trembling, tremor, state.tremor);
   const Matrix6d covariance =
       trembling ? covariance_in_middle(*trembling) : Matrix6d(system.H.inverse().topLeftCorner<6, 6>());
-  result.covariance = scale * covariance;
+  const Matrix6d astray = steady_shift(prior, options) * at_state.lost;  // no residual tells of it
+  result.covariance = scale * covariance + astray * astray.transpose();
+  result.dead_reckoned = at_state.lost;
   result.surfaces_seen_at = pairs.seen_at_sum / double(pairs.size());
   return true;
 }

@@ -40,6 +40,8 @@ struct MovingAlignment {
   /// [rad^2, m^2] of the pose at `middle` (right perturbation) if the surfaces were exact, with velocity and tremor
   /// unknown; of the prior, from the last pose on, where the pairs gave none
   Matrix6d covariance = Matrix6d::Zero();
+  /// * x is the part of a motion x of the pose that the surfaces say nothing about: there the motion goes on as it was
+  Matrix6d dead_reckoned = Matrix6d::Zero();
   std::optional<double> surfaces_seen_at = {};  ///< [s] mean time of the surfaces' patches; none without a pose
 };
 

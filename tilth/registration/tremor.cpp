@@ -56,6 +56,12 @@ double share_of_mean(double interval) {
   return 1 - std::exp(-interval / kMemory);
 }
 
+TremorEvidence faded_sum(const TremorEvidence& old, const TremorEvidence& fresh, double interval) {
+  constexpr double kMemory = 2.0;  // [s]
+  const double left = std::exp(-interval / kMemory);
+  return {left * old.squares + fresh.squares, left * old.freedom + fresh.freedom};
+}
+
 ScanTremor mean_with(const ScanTremor& mean, const ScanTremor& tremor, double share) {
   ScanTremor next = mean;
   for (std::size_t i = 0; i < next.knots.size(); ++i) next.knots[i] += share * (tremor.knots[i] - mean.knots[i]);

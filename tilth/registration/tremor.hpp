@@ -37,13 +37,16 @@ struct TremorPrior {
 
 /// A tremor goes to and fro. One that stayed at an instant of the scan, from scan to scan, would let the part of the
 /// map that is seen at that instant leave the other parts, and nothing would bring it back: the mean of the tremors
-/// over fifteen seconds is held to zero as well. `mean` is that of those before the scan, `share` the weight of the scan in
-/// the next one; `scale` that of the residuals, by which the pairs are surer than they say.
+/// over fifteen seconds is held to zero as well. `mean` is that of those before the scan, `share` the weight of the
+/// scan in the next one; `scale` that of the residuals, by which the pairs are surer than they say.
 TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, double share, double scale,
                          const AlignMovingOptions& options);
 
 /// The weight of a scan in the mean of about fifteen seconds, `interval` [s] after the last one.
 double share_of_mean(double interval);
+
+/// What is left of the evidence after `interval` [s], and the fresh one.
+TremorEvidence faded_sum(const TremorEvidence& old, const TremorEvidence& fresh, double interval);
 
 /// The mean after a scan of this tremor.
 ScanTremor mean_with(const ScanTremor& mean, const ScanTremor& tremor, double share);
