@@ -6,13 +6,13 @@
 namespace tilth {
 
 struct AlignMovingOptions {
-  int max_iterations = 20;
+  int max_iterations = 30;
   double rotation_epsilon = 1e-5;
   double translation_epsilon = 1e-4;
   double max_distance = 2.0;
   double renew_distance = 0.02;
   double min_cosine = 0.8;
-  double patch_variance = 2e-4;
+  double patch_variance = 7e-5;
   double first_kernel_width = 10.0;
   double kernel_width = 2.0;
   double acceleration = 10.0;
