@@ -14,7 +14,8 @@ void remove_outliers(benchmark::State& state) {
   const tilth::PointCloud scan = tilth::generated::make_scan({.place = places[state.range(0)]}, 1);
   const tilth::OutlierOptions options{.method = tilth::OutlierMethod(state.range(1))};
   const tilth::NeighborTable table = tilth::scan_neighbors(scan, std::size_t(options.k));
-  for (auto _ : state) benchmark::DoNotOptimize(tilth::keep_inliers(scan, table, options).data());
+  tilth::OutlierFilter filter(options);
+  for (auto _ : state) benchmark::DoNotOptimize(filter.keep(scan, table).data());
   state.SetLabel(std::string(names_of(options.method)[std::size_t(options.method)]));
   state.counters["points"] = double(scan.size());
 }
@@ -23,9 +24,10 @@ void find_and_remove_outliers(benchmark::State& state) {
   const tilth::PointCloud scan = tilth::bench::simulator(state.range(0)).scan(tilth::bench::kFirst).scan.cloud;
   const tilth::OutlierOptions options{.method = tilth::OutlierMethod(state.range(1))};
   tilth::ScanNeighbors search;
+  tilth::OutlierFilter filter(options);
   for (auto _ : state) {
     const tilth::NeighborTable& table = search.compute(scan, std::size_t(options.k));
-    benchmark::DoNotOptimize(tilth::keep_inliers(scan, table, options).data());
+    benchmark::DoNotOptimize(filter.keep(scan, table).data());
   }
   state.SetLabel(std::string(names_of(options.method)[std::size_t(options.method)]));
 }

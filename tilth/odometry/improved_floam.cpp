@@ -28,7 +28,7 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   const PointCloud cloud = crop_range(scan.cloud, options_.min_range, options_.max_range);
   begin_stage("outliers");
   arrange(cloud, rings_);
-  const std::vector<std::uint8_t> keep = keep_inliers(cloud, rings_, neighbors_, options_.outliers);
+  const std::vector<std::uint8_t>& keep = outliers_.keep(cloud, rings_);
   result.filtered = select_kept(cloud, keep);
   begin_stage("features");
   SurfacePatches patches = surface_patches(cloud, rings_, keep, options_.patches);

@@ -9,7 +9,6 @@
 #include <tilth/preprocess/outlier_removal.hpp>
 #include <tilth/registration/align.hpp>
 #include <tilth/registration/association.hpp>
-#include <tilth/search/scan_neighbors.hpp>
 
 namespace tilth {
 
@@ -53,7 +52,8 @@ void visit(ImprovedFloamOptions& o, V&& v) {
 
 class ImprovedFloam : public Odometry {
  public:
-  explicit ImprovedFloam(const ImprovedFloamOptions& options) : options_(options), map_(options.map) {}
+  explicit ImprovedFloam(const ImprovedFloamOptions& options)
+      : options_(options), outliers_(options.outliers), map_(options.map) {}
   OdometryResult register_scan(const Scan& scan) override;
   PointCloud local_map() const override;
 
@@ -61,7 +61,7 @@ class ImprovedFloam : public Odometry {
   AlignResult register_features(MatchedPatches& features, const Pose& T_start, const AlignOptions& align_options) const;
 
   ImprovedFloamOptions options_;
-  ScanNeighbors neighbors_;
+  OutlierFilter outliers_;
   RingLayout rings_;  // of the scan
   ConstantVelocity motion_;
   PatchMap map_;  // of both: it keeps what is flat apart from what is not

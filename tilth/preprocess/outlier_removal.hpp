@@ -54,13 +54,30 @@ void visit(OutlierOptions& o, V&& v) {
   visit(o.support, v);
 }
 
-/// For each point of `cloud` 1 (kept) or 0 (outlier), from its row of `neighbors` or, by `support`, from the beams
-/// beside it. O(n k), O(n) by `support`.
-std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors,
-                                       const OutlierOptions& options);
+/// For each point of a cloud 1 (kept) or 0 (outlier). Keeps its buffers for scan after scan; a result holds until the
+/// next call. O(n k), O(n) by `support`.
+class OutlierFilter {
+ public:
+  explicit OutlierFilter(const OutlierOptions& options) : options_(options) {}
 
-/// The same of a cloud laid out as `rings`, with neighbours looked for only where the method needs them.
-std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const RingLayout& rings, ScanNeighbors& neighbors,
+  /// By each point's row of `neighbors` or, by `support`, by the beams beside it.
+  const std::vector<std::uint8_t>& keep(const PointCloud& cloud, const NeighborTable& neighbors);
+
+  /// The same of a cloud laid out as `rings`, with neighbours looked for only where the method needs them.
+  const std::vector<std::uint8_t>& keep(const PointCloud& cloud, const RingLayout& rings);
+
+ private:
+  bool is_by_support() const { return options_.method == OutlierMethod::support; }
+  const std::vector<std::uint8_t>& keep_by_distance(const PointCloud& cloud, const NeighborTable& neighbors);
+
+  OutlierOptions options_;
+  ScanNeighbors neighbors_;
+  std::vector<float> scale_, means_, densities_;  // a point each
+  std::vector<std::uint8_t> keep_;
+};
+
+/// What a filter keeps of one scan.
+std::vector<std::uint8_t> keep_inliers(const PointCloud& cloud, const NeighborTable& neighbors,
                                        const OutlierOptions& options);
 
 }  // namespace tilth
