@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <tilth/preprocess/ring_support.hpp>
+#include <tilth/preprocess/upright_support.hpp>
 #include <tilth/search/ring_layout.hpp>
 
 namespace tilth {
@@ -10,17 +11,6 @@ namespace {
 
 constexpr float kDeviations = 3.0f;    // of the noise
 constexpr float kReachColumns = 6.0f;  // between beams that can see the same surface
-constexpr float kTurn = 4.0f;          // of the layout's azimuths
-
-/// What the tests of single points need, slot by slot.
-struct Support {
-  const RingLayout& rings;
-  std::vector<float> distance;     // [m] from the sensor's axis
-  std::vector<std::uint8_t> keep;  // by point
-  float pair, line;                // [m] allowed between two distances; to the line through two others
-  float slope;
-  float reach;  // [rad] nearly: sine of the angle
-};
 
 std::vector<float> axis_distances(const RingLayout& rings) {
   using Slots = Eigen::Map<const Eigen::ArrayXf>;
@@ -35,14 +25,6 @@ float reach_of(const RingLayout& rings) {
   std::uint32_t most = 1;
   for (const Ring& ring : rings.rings) most = std::max(most, ring.count);
   return std::min(0.5f, kReachColumns * 2.0f * std::numbers::pi_v<float> / float(most));
-}
-
-/// The angle between two beams, nearly; 1 where they are one, or too far apart.
-float angle_between(const Support& s, std::uint32_t a, std::uint32_t b) {
-  const RingLayout& l = s.rings;
-  const float sine = std::abs(l.ux[a] * l.uy[b] - l.uy[a] * l.ux[b]);
-  const bool ahead = l.ux[a] * l.ux[b] + l.uy[a] * l.uy[b] > 0.0f;
-  return ahead && sine < s.reach && l.index[a] != l.index[b] ? sine : 1.0f;
 }
 
 bool agree_along(const Support& s, std::uint32_t a, std::uint32_t b) {
@@ -85,7 +67,8 @@ void agree_with_next(const Support& s, const Ring& ring, std::vector<std::uint32
   }
 }
 
-void support_along(Support& s, const Ring& ring, std::vector<std::uint32_t>& agree) {
+/// Appends the slots that find no support to `alone`.
+void support_along(Support& s, const Ring& ring, std::vector<std::uint32_t>& agree, std::vector<std::uint32_t>& alone) {
   constexpr std::uint32_t kLeast = 3;  // points: with fewer, a slot's neighbours are the same point
   if (ring.count >= kLeast)
     agree_with_next(s, ring, agree);
@@ -95,31 +78,9 @@ void support_along(Support& s, const Ring& ring, std::vector<std::uint32_t>& agr
   const std::span<std::uint8_t> keep(s.keep);
   for (std::uint32_t i = 0; i < ring.count; ++i) {
     const bool beside = ((agree[i] & 2) | (agree[i + 1] & 1)) != 0;
-    keep[index[i]] |= std::uint8_t(beside || supported_along(s, ring.begin + i));
-  }
-}
-
-/// Upright things, if only one beam wide: each of two points on neighbouring rings in one direction keeps the other.
-void support_across(Support& s, const Ring& lower, const Ring& upper) {
-  const std::span<const float> azimuth(s.rings.azimuth);
-  const std::span<const std::uint32_t> index(s.rings.index);
-  const std::span<std::uint8_t> keep(s.keep);
-  const float front = azimuth[upper.begin];
-  std::uint32_t next = upper.begin;
-  float last = front;
-  const std::uint32_t lower_end = lower.begin + lower.count, upper_end = upper.begin + upper.count;
-  for (std::uint32_t slot = lower.begin; slot < lower_end; ++slot) {
-    float a = azimuth[slot];
-    while (a < front) a += kTurn;
-    while (a >= front + kTurn) a -= kTurn;
-    if (a < last) next = upper.begin;
-    last = a;
-    while (next < upper_end && azimuth[next] < a) ++next;
-    for (const std::uint32_t other : {next - 1, next}) {
-      if (keep[index[slot]] & keep[index[other]]) continue;
-      if (std::abs(s.distance[slot] - s.distance[other]) > s.pair || angle_between(s, slot, other) == 1.0f) continue;
-      keep[index[slot]] = keep[index[other]] = 1;
-    }
+    const bool supported = beside || supported_along(s, ring.begin + i);
+    keep[index[i]] = std::uint8_t(supported);
+    if (!supported) alone.push_back(ring.begin + i);
   }
 }
 
@@ -143,8 +104,12 @@ std::optional<std::vector<std::uint8_t>> ring_support(const RingLayout& rings, s
                   float(options.slope),
                   reach_of(rings)};
   std::vector<std::uint32_t> agree;
-  for (const Ring& ring : rings.rings) support_along(support, ring, agree);
-  for (std::size_t r = 1; r < rings.rings.size(); ++r) support_across(support, rings.rings[r - 1], rings.rings[r]);
+  LonePoints lone;
+  for (const Ring& ring : rings.rings) {
+    support_along(support, ring, agree, lone.slots);
+    lone.ring_begin.push_back(lone.slots.size());
+  }
+  support_upright(support, lone);
   if (2 * std::count(support.keep.begin(), support.keep.end(), 1) < std::ptrdiff_t(points)) return std::nullopt;
   return std::move(support.keep);
 }
