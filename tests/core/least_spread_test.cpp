@@ -49,22 +49,5 @@ TEST(LeastSpread, OfPlanesLinesBallsAndPoints) {
   }
 }
 
-TEST(LeastSpread, OfManyAtOnceIsThatOfEach) {
-  std::mt19937 rng(3);
-  std::uniform_real_distribution<double> exponent(-4, 0);
-  std::vector<Eigen::Matrix<double, 6, 1>> entries;
-  std::vector<Eigen::Matrix3d> matrices;
-  for (int i = 0; i < 1003; ++i) {
-    const Eigen::Vector3d variances(std::pow(10, exponent(rng)), std::pow(10, exponent(rng)), i % 50 == 0 ? 0 : 1e-3);
-    const Eigen::Matrix3d& C =
-        matrices.emplace_back(i % 90 == 0 ? Eigen::Matrix3d::Zero().eval() : covariance_of(variances, rng));
-    entries.push_back(
-        (Eigen::Matrix<double, 6, 1>() << C(0, 0), C(1, 1), C(2, 2), C(0, 1), C(1, 2), C(0, 2)).finished());
-  }
-  std::vector<Eigen::Vector3d> found(entries.size());
-  spreads(entries, found);
-  for (std::size_t i = 0; i < found.size(); ++i) EXPECT_EQ(found[i], spreads(matrices[i])) << i;
-}
-
 }  // namespace
 }  // namespace tilth

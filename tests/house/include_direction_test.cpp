@@ -35,7 +35,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
 /// Where alone a library's headers may stand: beginnings of paths.
 const std::map<std::string, std::vector<std::string>> kLibraryHome{
     {"tbb/", {"tilth/core/parallel.hpp", "apps/"}},
-    {"hwy/", {"tilth/search/", "tilth/preprocess/"}},
+    {"hwy/", {"tilth/search/", "tilth/preprocess/", "tilth/features/"}},
     {"nanoflann", {"tilth/search/kdtree"}},
     {"embree", {"tilth/simulation/mesh_world.cpp"}},
     {"sdf/", {"tilth/gazebo/"}},

@@ -31,14 +31,12 @@ double laguerre_step(const Cubic& c, double x) {
   return divisor > 0 ? -3 * value / divisor : 0.0;
 }
 
-constexpr int kMostSteps = 40;
-constexpr double kStill = 1e-9;
-
-double least_root(const Cubic& c, double x = 0) {
-  for (int i = 0; i < kMostSteps; ++i) {
+double least_root(const Cubic& c) {
+  double x = 0;
+  for (int i = 0; i < kMostSpreadSteps; ++i) {
     const double step = laguerre_step(c, x);
     x += step;
-    if (std::abs(step) <= kStill * x) break;
+    if (std::abs(step) <= kStillSpread * x) break;
   }
   return x;
 }
@@ -49,31 +47,6 @@ Eigen::Vector3d roots(const Cubic& c, double least) {
   return {least, half_sum - half_difference, half_sum + half_difference};
 }
 
-constexpr std::size_t kLanes = 16;
-
-/// least_root() of as many polynomials as there are lanes, step by step, each until its own stands still.
-struct Roots {
-  double trace[kLanes] = {}, minors[kLanes] = {}, determinant[kLanes] = {}, x[kLanes] = {}, open[kLanes];
-
-  void find() {
-    constexpr int kTogether = 4;  // after which those that have not settled go on alone
-    std::fill(open, open + kLanes, 1.0);
-    for (int i = 0; i < kTogether; ++i) step();
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      if (open[i] != 0) x[i] = least_root({trace[i], minors[i], determinant[i]}, x[i]);
-    }
-  }
-
-  // With 16 lanes, and no fewer, compilers make vectors of this loop.
-  void step() {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      const double step = open[i] * laguerre_step({trace[i], minors[i], determinant[i]}, x[i]);
-      x[i] += step;
-      open[i] = std::abs(step) <= kStill * x[i] ? 0.0 : open[i];
-    }
-  }
-};
-
 }  // namespace
 
 Eigen::Vector3d spreads(const Eigen::Matrix3d& C) {
@@ -81,22 +54,6 @@ Eigen::Vector3d spreads(const Eigen::Matrix3d& C) {
   entries << C(0, 0), C(1, 1), C(2, 2), C(0, 1), C(1, 2), C(0, 2);
   const Cubic c = characteristic(entries);
   return roots(c, least_root(c));
-}
-
-void spreads(std::span<const Eigen::Matrix<double, 6, 1>> covariances, std::span<Eigen::Vector3d> eigenvalues) {
-  for (std::size_t begin = 0; begin < covariances.size(); begin += kLanes) {
-    const std::size_t count = std::min(kLanes, covariances.size() - begin);
-    Roots lanes;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Cubic c = characteristic(covariances[begin + i]);
-      lanes.trace[i] = c.trace;
-      lanes.minors[i] = c.minors;
-      lanes.determinant[i] = c.determinant;
-    }
-    lanes.find();
-    for (std::size_t i = 0; i < count; ++i)
-      eigenvalues[begin + i] = roots({lanes.trace[i], lanes.minors[i], lanes.determinant[i]}, lanes.x[i]);
-  }
 }
 
 Eigen::Vector3d direction_of_least(const Eigen::Matrix3d& covariance, double least) {

@@ -1,167 +1,157 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <tilth/core/least_spread.hpp>
+#include <tilth/features/joined_shapes.hpp>
+#include <tilth/features/run_columns.hpp>
 #include <tilth/features/surface_patches.hpp>
 
 namespace tilth {
 namespace {
 
-// A run between those beside it: two rings down, one down, itself, one up, two up; nullptr where there is none.
-using Column = std::array<const RingSegment*, 5>;
-constexpr std::size_t kSelf = 2, kBelow = 1, kAbove = 3;
-
-// The run of `ring` nearest in azimuth, for azimuths that ascend from call to call.
-const RingSegment* nearest(std::span<const RingSegment> ring, float azimuth, std::size_t& cursor) {
-  if (ring.empty()) return nullptr;
-  const auto distance = [&](std::size_t i) { return std::abs(ring[i].azimuth - azimuth); };
-  while (cursor + 1 < ring.size() && distance(cursor + 1) <= distance(cursor)) ++cursor;
-  return &ring[cursor];
+double square(double x) {
+  return x * x;
 }
 
-class ColumnWalk {
- public:
-  ColumnWalk(const RingSegments& rings, std::size_t ring) : rings_(rings), ring_(ring) {}
+bool is_within(double reach, const RingSegment* a, const RingSegment& b) {
+  return a != nullptr && (a->moments.mean - b.moments.mean).norm() < reach;
+}
 
-  Column at(const RingSegment& segment) {
-    constexpr float kBeside = 0.03f;  // [rad]
-    Column column{};
-    column[kSelf] = &segment;
-    for (std::size_t i = 0; i < column.size(); ++i) {
-      if (i == kSelf || ring_ + i < kSelf || ring_ + i - kSelf >= rings_.rings()) continue;
-      const RingSegment* other = nearest(rings_.ring(ring_ + i - kSelf), segment.azimuth, cursors_[i]);
-      if (other && std::abs(other->azimuth - segment.azimuth) < kBeside + segment.width) column[i] = other;
+Eigen::Matrix3d symmetric(const Vector6d& c) {
+  Eigen::Matrix3d m;
+  m << c[0], c[3], c[5], c[3], c[1], c[4], c[5], c[4], c[2];
+  return m;
+}
+
+// Looks for the flattest plane through each run of a ring and runs beside it, for all runs at once.
+class RingFitter {
+ public:
+  RingFitter(const RingSegments& rings, const PatchOptions& options)
+      : rings_(rings), azimuths_(azimuths_of(rings)), options_(options) {}
+
+  void fit(std::size_t ring, SurfacePatches& patches) {
+    begin(ring);
+    offer_three(1);
+    offer_three(0);
+    offer_three(2);
+    offer_pairs();
+    shape_the_rest();
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (fits_[i].shaped) patches.push_back(patch_of(i, ring));
     }
-    return column;
   }
 
  private:
-  const RingSegments& rings_;
-  std::size_t ring_;
-  std::array<std::size_t, 5> cursors_{};
-};
+  // What is known of a run.
+  struct Fit {
+    double range;  // [m]
+    bool is_pole;  // which is no plane whatever lies beside it
+    bool flat = false, shaped = false;
+    double least = 0;  // [m^2] variance of the flattest plane; the greatest there may be as long as there is none
+    Vector6d covariance = Vector6d::Zero();  // [m^2] of its points
+  };
 
-// A plane that may lie through a run and runs beside it.
-struct Candidate {
-  Moments moments;
-  Eigen::Vector3d variances = Eigen::Vector3d::Zero();  // [m^2] ascending
-};
-
-// Looks for the flattest plane through a run and runs beside it.
-class PatchFitter {
- public:
-  explicit PatchFitter(const PatchOptions& options) : options_(options) {}
-
-  // A pole, which is no plane whatever lies beside it.
-  bool is_pole(const RingSegment& self) const {
-    return self.free && self.width * self.moments.mean.norm() < options_.pole_width;
+  void begin(std::size_t ring) {
+    ColumnWalk walk(rings_, azimuths_, ring);
+    columns_.clear();
+    fits_.clear();
+    for (const RingSegment& segment : rings_.ring(ring)) {
+      columns_.push_back(walk.at(segment));
+      const double range = segment.moments.mean.norm();
+      fits_.push_back({.range = range,
+                       .is_pole = segment.free && segment.width * range < options_.pole_width,
+                       .least = square(options_.max_thickness)});
+    }
   }
 
-  // `first` is the plane with the runs just below and above; nullptr where one is missing.
-  bool fit(const Column& column, const Candidate* first, SurfacePatch& patch) {
-    const RingSegment& self = *column[kSelf];
-    const double range = self.moments.mean.norm();
-    if (!is_pole(self) && fit_plane(column, first, range)) {
-      patch = shaped(self, flattest_, true);
-      return true;
-    }
-    Moments moments = self.moments;
-    const double reach = std::max(0.4, 0.05 * range);
-    for (const std::size_t i : {kBelow, kAbove}) {
-      if (column[i] && (column[i]->moments.mean - self.moments.mean).norm() < reach) moments.add(column[i]->moments);
-    }
-    if (moments.count == self.moments.count) return false;
-    flattest_moments_ = moments;
-    patch = shaped(self, spreads(moments.covariance())[0], false);
-    return true;
+  void ask(std::size_t run, const RingSegment* a, const RingSegment* b, const RingSegment* c) {
+    const auto moments = [](const RingSegment* s) { return s != nullptr ? &s->moments : nullptr; };
+    runs_.push_back(std::uint32_t(run));
+    sets_.push_back({moments(a), moments(b), moments(c)});
   }
 
- private:
-  static double square(double x) { return x * x; }
-
-  bool fit_plane(const Column& column, const Candidate* first, double range) {
-    constexpr double kFlatAtOnce = 0.5;  // of the greatest thickness: no other beams need be asked
-    flattest_ = square(options_.max_thickness);
-    bool found = first != nullptr && is_flatter(*first);
-    const auto flat_enough = [&] { return found && flattest_ < square(kFlatAtOnce * options_.max_thickness); };
-    for (const std::size_t i : {std::size_t{0}, kSelf}) {
-      if (flat_enough()) return true;
-      if (column[i] && column[i + 1] && column[i + 2]) found |= is_flatter(column[i], column[i + 1], column[i + 2]);
-    }
-    if (found) return true;
-    const double reach = std::max(options_.max_gap, options_.max_gap_share * range);
-    for (const std::size_t i : {kBelow, kAbove}) {
-      if (column[i] && (column[i]->moments.mean - column[kSelf]->moments.mean).norm() < reach)
-        found |= is_flatter(column[kSelf], column[i]);
-    }
-    return found;
+  // Calls visit(fit, shape) for all that was asked.
+  template <class Visit>
+  void answer(const Visit& visit) {
+    shapes_.resize(sets_.size());
+    join_runs(sets_, shapes_);
+    for (std::size_t i = 0; i < sets_.size(); ++i) visit(fits_[runs_[i]], shapes_[i]);
+    sets_.clear();
+    runs_.clear();
   }
 
-  template <class... Others>
-  bool is_flatter(const RingSegment* first, const Others*... others) {
-    Candidate candidate{.moments = first->moments};
-    (candidate.moments.add(others->moments), ...);
-    candidate.variances = spreads(candidate.moments.covariance());
-    return is_flatter(candidate);
-  }
-
-  bool is_flatter(const Candidate& candidate) {
+  static void take_if_flatter(Fit& fit, const PlaneShape& shape) {
     constexpr double kFlat = 9, kLeastWidth = 4e-4;  // of variances; [m^2]
-    const Eigen::Vector3d& variances = candidate.variances;
-    if (variances[0] > flattest_ || variances[1] < std::max(kFlat * variances[0], kLeastWidth)) return false;
-    flattest_ = variances[0];
-    flattest_moments_ = candidate.moments;
-    return true;
+    const Eigen::Vector3d& variances = shape.variances;
+    if (variances[0] > fit.least || variances[1] < std::max(kFlat * variances[0], kLeastWidth)) return;
+    fit.least = variances[0];
+    fit.covariance = shape.covariance;
+    fit.flat = fit.shaped = true;
   }
 
-  // The patch of the run, shaped as flattest_moments_ are, whose least variance is given.
-  SurfacePatch shaped(const RingSegment& self, double least, bool flat) const {
-    const Eigen::Matrix3d covariance = flattest_moments_.covariance();
-    const Eigen::Vector3d normal = direction_of_least(covariance, least);
+  // Three runs above one another, from `lowest` of the column on, for runs that are not flat enough as yet.
+  void offer_three(std::size_t lowest) {
+    constexpr double kFlatAtOnce = 0.5;  // of the greatest thickness: no other beams need be asked
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const Fit& fit = fits_[i];
+      if (fit.is_pole || (fit.flat && fit.least < square(kFlatAtOnce * options_.max_thickness))) continue;
+      const Column& c = columns_[i];
+      if (c[lowest] && c[lowest + 1] && c[lowest + 2]) ask(i, c[lowest], c[lowest + 1], c[lowest + 2]);
+    }
+    answer(take_if_flatter);
+  }
+
+  // A run and the one below or above, where no three lie in a plane.
+  void offer_pairs() {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (fits_[i].is_pole || fits_[i].flat) continue;
+      const Column& c = columns_[i];
+      const double reach = std::max(options_.max_gap, options_.max_gap_share * fits_[i].range);
+      for (const std::size_t other : {kBelow, kAbove}) {
+        if (is_within(reach, c[other], *c[kSelf])) ask(i, c[kSelf], c[other], nullptr);
+      }
+    }
+    answer(take_if_flatter);
+  }
+
+  // What is no plane has the shape of the run and those near it.
+  void shape_the_rest() {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (fits_[i].flat) continue;
+      const Column& c = columns_[i];
+      const double reach = std::max(0.4, 0.05 * fits_[i].range);
+      const bool below = is_within(reach, c[kBelow], *c[kSelf]), above = is_within(reach, c[kAbove], *c[kSelf]);
+      if (below || above) ask(i, c[kSelf], below ? c[kBelow] : nullptr, above ? c[kAbove] : nullptr);
+    }
+    answer([](Fit& fit, const PlaneShape& shape) {
+      fit.least = shape.variances[0];
+      fit.covariance = shape.covariance;
+      fit.shaped = true;
+    });
+  }
+
+  SurfacePatch patch_of(std::size_t run, std::size_t ring) const {
+    const RingSegment& self = *columns_[run][kSelf];
+    const Fit& fit = fits_[run];
+    const Eigen::Matrix3d covariance = symmetric(fit.covariance);
+    const Eigen::Vector3d normal = direction_of_least(covariance, fit.least);
     return {.mean = self.moments.mean,
             .covariance = covariance,
             .normal = normal.dot(self.moments.mean) > 0 ? Eigen::Vector3d(-normal) : normal,
             .time = self.time,
-            .thickness = float(std::max(0.0, least)),
-            .flat = flat};
+            .thickness = float(std::max(0.0, fit.least)),
+            .ring = std::uint16_t(ring),
+            .flat = fit.flat};
   }
 
+  const RingSegments& rings_;
+  std::vector<float> azimuths_;  // [rad] of all runs
   const PatchOptions& options_;
-  Moments flattest_moments_;
-  double flattest_ = 0;  // [m^2]
-};
-
-// The runs of one ring, what lies beside them, and the first plane to be tried for each, all at once.
-struct RingColumns {
-  std::vector<Column> columns;
-  std::vector<Candidate> first;
-  std::vector<std::uint8_t> has_first;
-  std::vector<Vector6d> covariances;
-  std::vector<Eigen::Vector3d> variances;
-
-  void fill(const RingSegments& rings, std::size_t ring, const PatchFitter& fitter) {
-    ColumnWalk walk(rings, ring);
-    columns.clear();
-    first.clear();
-    has_first.clear();
-    covariances.clear();
-    for (const RingSegment& segment : rings.ring(ring)) {
-      const Column& column = columns.emplace_back(walk.at(segment));
-      has_first.push_back(column[kBelow] != nullptr && column[kAbove] != nullptr && !fitter.is_pole(segment));
-      Moments moments;
-      if (has_first.back()) {
-        moments = column[kBelow]->moments;
-        moments.add(segment.moments);
-        moments.add(column[kAbove]->moments);
-      }
-      first.push_back({.moments = moments});
-      covariances.push_back(moments.covariance_entries());
-    }
-    variances.resize(covariances.size());
-    spreads(covariances, variances);
-    for (std::size_t i = 0; i < first.size(); ++i) first[i].variances = variances[i];
-  }
+  std::vector<Column> columns_;  // a run each
+  std::vector<Fit> fits_;
+  std::vector<std::uint32_t> runs_;  // of the sets that are asked for
+  std::vector<RunSet> sets_;
+  std::vector<PlaneShape> shapes_;
 };
 
 }  // namespace
@@ -171,17 +161,8 @@ SurfacePatches surface_patches(const PointCloud& cloud, const RingLayout& layout
   const RingSegments rings = ring_segments(cloud, layout, keep, options.segments);
   SurfacePatches patches;
   patches.reserve(rings.segments.size());
-  PatchFitter fitter(options);
-  RingColumns ring;
-  for (std::size_t r = 0; r < rings.rings(); ++r) {
-    ring.fill(rings, r, fitter);
-    SurfacePatch patch;
-    for (std::size_t i = 0; i < ring.columns.size(); ++i) {
-      if (!fitter.fit(ring.columns[i], ring.has_first[i] ? &ring.first[i] : nullptr, patch)) continue;
-      patch.ring = std::uint16_t(r);
-      patches.push_back(patch);
-    }
-  }
+  RingFitter fitter(rings, options);
+  for (std::size_t r = 0; r < rings.rings(); ++r) fitter.fit(r, patches);
   return patches;
 }
 
