@@ -16,6 +16,7 @@ struct SurfacePatch {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< unit, towards the sensor; of least extent where not flat
   float time = 0.0f;                                     ///< [s] since the stamp of the scan
   float thickness = 0.0f;                                ///< [m^2] variance along the normal
+  std::uint16_t points = 1;                              ///< of which `mean` is the mean
   std::uint16_t ring = 0;                                ///< 0 = lowest beam
   bool flat = false;                                     ///< a piece of a plane; else a pole, an edge, a bush
 };

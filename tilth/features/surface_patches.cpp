@@ -140,6 +140,7 @@ class RingFitter {
             .normal = normal.dot(self.moments.mean) > 0 ? Eigen::Vector3d(-normal) : normal,
             .time = self.time,
             .thickness = float(std::max(0.0, fit.least)),
+            .points = std::uint16_t(self.moments.count),
             .ring = std::uint16_t(ring),
             .flat = fit.flat};
   }

@@ -16,6 +16,9 @@ namespace {
 // Surfaces are known along their normal only: this variance stands for "anywhere in the voxel" along them [m^2].
 constexpr double kAlongSurface = 1.0;
 
+// A plane is at most so thick, and so many times as wide: the bounds of a flat patch, of variances [m^2].
+constexpr double kMostThickness = 1.6e-3, kFlat = 9;
+
 // Shares by which a Gaussian's patches grow before it is made anew.
 constexpr double kStale = 1.1;
 
@@ -75,7 +78,7 @@ std::uint32_t PatchMap::number_of(std::int64_t block_key, std::uint32_t cell, bo
   if ((block.filled >> cell & 1) == 0) {
     block.filled |= std::uint8_t(1 << cell);
     block.surfaces[cell] = std::uint32_t(surfaces_.size());
-    surfaces_.push_back({.flat = flat});
+    surfaces_.push_back({.flat = flat, .planar = flat});
     sums_.push_back({.block = block_number, .cell = cell});
   }
   const std::uint32_t number = block.surfaces[cell];
@@ -86,29 +89,32 @@ std::uint32_t PatchMap::number_of(std::int64_t block_key, std::uint32_t cell, bo
 
 void PatchMap::add(const Placed& placed, const SurfacePatch& patch, const Eigen::Matrix3d& R_map_lidar, double time) {
   Sums& sums = sums_[placed.number];
-  if (sums.count >= std::uint32_t(options_.max_patches)) return;
   MapSurface& surface = surfaces_[placed.number];
-  ++sums.count;
-  surface.seen_at += (float(time) - surface.seen_at) / float(sums.count);
+  if (surface.patches >= std::uint32_t(options_.max_patches)) return;
+  ++surface.patches;
+  surface.seen_at += (float(time) - surface.seen_at) / float(surface.patches);
   const Eigen::Vector3d before = placed.mean - surface.mean;
-  surface.mean += before / double(sums.count);
+  surface.mean += before / double(surface.patches);
   const Eigen::Vector3d after = placed.mean - surface.mean;
   sums.scatter += upper_half(rotated(R_map_lidar, patch.covariance));
   for (int k = 0; k < 6; ++k) sums.scatter[k] += before[kRow[k]] * after[kColumn[k]];  // Welford
   sums.normals += placed.normal;
-  if (double(sums.count) < kStale * double(sums.fresh_count)) return;
+  if (double(surface.patches) < kStale * double(sums.fresh_count)) return;
   refresh(sums, surface);
-  sums.fresh_count = sums.count;
+  sums.fresh_count = surface.patches;
 }
 
 void PatchMap::refresh(const Sums& sums, MapSurface& surface) const {
   Eigen::Matrix3d covariance;
   for (int k = 0; k < 6; ++k)
-    covariance(kRow[k], kColumn[k]) = covariance(kColumn[k], kRow[k]) = sums.scatter[k] / double(sums.count);
-  const double least = spreads(covariance)[0];
+    covariance(kRow[k], kColumn[k]) = covariance(kColumn[k], kRow[k]) = sums.scatter[k] / double(surface.patches);
+  const Eigen::Vector3d variances = spreads(covariance);
+  const double least = variances[0];
   const Eigen::Vector3d normal = direction_of_least(covariance, least);
   surface.normal = normal.dot(sums.normals) < 0 ? Eigen::Vector3d(-normal) : normal;
   surface.variance = std::max(least, options_.surface_variance);
+  surface.planar = surface.flat || (surface.patches >= std::uint32_t(options_.planar_patches) &&
+                                    least < kMostThickness && variances[1] > kFlat * least);
   surface.covariance = surface.flat ? Eigen::Matrix3d(kAlongSurface * Eigen::Matrix3d::Identity() +
                                                       (surface.variance - kAlongSurface) * normal * normal.transpose())
                                     : Eigen::Matrix3d(covariance + options_.blur * Eigen::Matrix3d::Identity());

@@ -22,6 +22,7 @@ struct PatchMapOptions {
   double max_range = 100.0;
   double surface_variance = 1e-4;
   double blur = 0.01;
+  int planar_patches = 10;
 };
 
 template <class V>
@@ -31,6 +32,8 @@ void visit(PatchMapOptions& o, V&& v) {
   v("max_range", o.max_range, Bounds{1, 1e5}, "[m] voxels farther from the sensor are forgotten");
   v("surface_variance", o.surface_variance, Bounds{1e-12, 1}, "[m^2] variance along a surface's normal, at least");
   v("blur", o.blur, Bounds{0, 100}, "[m^2] variance added to what is no surface");
+  v("planar_patches", o.planar_patches, Bounds{2, 1e9},
+    "[patches] none of them flat, that make a plane together if they lie in one");
 }
 
 /// The surface of one voxel that faces one way, or what there is in it that is not flat.
@@ -40,7 +43,9 @@ struct MapSurface {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< [m^2] wide along a flat surface
   double variance = 0.0;                                 ///< [m^2] along the normal
   float seen_at = 0.0F;                                  ///< [s] mean time of its patches
-  bool flat = false;
+  std::uint32_t patches = 0;                             ///< of which `mean` is the mean
+  bool flat = false;                                     ///< its patches are flat
+  bool planar = false;                                   ///< it lies in one plane, whether or not each patch shows it
 };
 
 class PatchMap {
@@ -73,7 +78,7 @@ class PatchMap {
 
   struct Sums {
     std::uint32_t block, cell;                          ///< where its number stands
-    std::uint32_t count = 0, fresh_count = 0;           ///< patches; and when the surface was last made
+    std::uint32_t fresh_count = 0;                      ///< patches when the surface was last made
     Vector6d scatter = Vector6d::Zero();                ///< of the patches' means, and sum of their covariances
     Eigen::Vector3d normals = Eigen::Vector3d::Zero();  ///< sum over the patches
   };

@@ -8,6 +8,7 @@
 #include <tilth/odometry/pose_uncertainty.hpp>
 #include <tilth/preprocess/ring_support.hpp>
 #include <tilth/registration/align_moving.hpp>
+#include <tilth/registration/tremor.hpp>
 
 namespace tilth {
 
@@ -40,7 +41,9 @@ void visit(TilthOptions& o, V&& v) {
 
 class TilthOdometry : public Odometry {
  public:
-  explicit TilthOdometry(const TilthOptions& options) : options_(options), map_(options.map) {}
+  explicit TilthOdometry(const TilthOptions& options) : options_(options), map_(options.map) {
+    motion_.tremor = first_evidence(options.align);
+  }
   OdometryResult register_scan(const Scan& scan) override;
   PointCloud local_map() const override;
 

@@ -48,7 +48,7 @@ struct MovingAlignment {
 /// What is known after a scan, for the next one; `interval` is still to be set.
 MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment);
 
-/// A flat patch and the surface that it is held against, seen from the LiDAR in the middle of the scan.
+/// A patch and the plane that it is held against, seen from the LiDAR in the middle of the scan.
 struct FlatPair {
   Eigen::Vector3d point;   ///< [m] of the patch
   Eigen::Vector3d normal;  ///< unit, of the surface
@@ -57,7 +57,7 @@ struct FlatPair {
   double lever;            ///< [s] from the middle of the scan to the patch: how far the velocity moves it
 };
 
-/// A patch that is not flat, likewise, with the offset and its covariance in the map's frame.
+/// A patch and a surface that is no plane, likewise, with the offset and its covariance in the map's frame.
 struct ShapePair {
   Eigen::Vector3d point;          ///< [m] in the LiDAR's frame
   Eigen::Vector3d offset_in_map;  ///< [m] from the surface's mean
@@ -95,6 +95,17 @@ struct PatchMatching {
 /// [rad^2, m^2] of the pose predicted: by the accelerations that a robot is capable of.
 Vector6d pose_variances(const MotionPrior& prior, const AlignMovingOptions& options);
 
+/// [m^2] of a residual along `n`, the surface's normal seen from the patch: that of the mean of the patch's points,
+/// part of their spread, which is wide where the two do not face the same way, and that of the surface, less as it has
+/// more patches.
+template <class Surface>
+double pair_variance(const SurfacePatch& patch, const Eigen::Vector3d& n, const Surface& surface,
+                     const AlignMovingOptions& options) {
+  return double(patch.thickness) / double(patch.points) + options.spread_share * n.dot(patch.covariance * n) +
+         (options.surface_share + options.surface_doubt / double(surface.patches)) * surface.variance +
+         options.patch_variance;
+}
+
 /// Brings `matching`, of the iteration before, up to date at `state`.
 template <SurfaceLookup Lookup>
 void associate_patches(const SurfacePatches& patches, const MotionState& state, const Lookup& target,
@@ -115,11 +126,11 @@ void associate_patches(const SurfacePatches& patches, const MotionState& state, 
     if (surface == nullptr) continue;
     const Eigen::Vector3d offset = point_in_map - surface->mean;
     if (offset.squaredNorm() > max_squared) continue;
-    if (patch.flat) {
+    if (surface->planar) {
       const Eigen::Vector3d normal = R_lidar_map * surface->normal, n = R_lidar_patch.transpose() * normal;
-      if (n.dot(patch.normal) < options.min_cosine) continue;
-      const double variance = n.dot(patch.covariance * n) + surface->variance + options.patch_variance;
-      matching.pairs.flat.push_back({point, normal, surface->normal.dot(offset), 1 / variance, lever});
+      if (patch.flat && n.dot(patch.normal) < options.min_cosine) continue;
+      const double information = 1 / pair_variance(patch, n, *surface, options);
+      matching.pairs.flat.push_back({point, normal, surface->normal.dot(offset), information, lever});
     } else {
       const Eigen::Matrix3d R = R_map_lidar * R_lidar_patch;
       Eigen::Matrix3d joint = R * patch.covariance * R.transpose() + surface->covariance;

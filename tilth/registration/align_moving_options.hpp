@@ -12,6 +12,9 @@ struct AlignMovingOptions {
   double max_distance = 2.0;
   double renew_distance = 0.02;
   double min_cosine = 0.8;
+  double spread_share = 0.1;
+  double surface_share = 0.3;
+  double surface_doubt = 5.0;
   double patch_variance = 7e-5;
   double first_kernel_width = 10.0;
   double kernel_width = 2.0;
@@ -20,11 +23,15 @@ struct AlignMovingOptions {
   double velocity_slack = 0.01;
   double velocity_share = 0.1;
   double tremor_tilt = 5e-3;
-  double tremor_yaw = 7e-4;
+  double tremor_yaw = 2e-4;
+  double tremor_yaw_share = 0.15;
   double tremor_translation = 2e-3;
   double tremor_least_rotation = 1e-4;
   double tremor_least_translation = 1.5e-4;
   double tremor_mean = 0.2;
+  double tremor_first_tilt = 3e-3;
+  double tremor_lowest = 5.0;
+  double tremor_highest = 25.0;
   double degeneracy_ratio = 3e-3;
   double steady_acceleration = 1.0;
   int min_matches = 20;
@@ -38,6 +45,11 @@ void visit(AlignMovingOptions& o, V&& v) {
   v("max_distance", o.max_distance, Bounds{1e-3, 100}, "[m] between a patch and its match");
   v("renew_distance", o.renew_distance, Bounds{0, 10}, "[m] that a patch moves before its match is looked up anew");
   v("min_cosine", o.min_cosine, Bounds{-1, 1}, "[-] between the normals of a patch and its match");
+  v("spread_share", o.spread_share, Bounds{0, 1},
+    "[-] of a patch's spread along the normal of its surface, added to the variance of its mean");
+  v("surface_share", o.surface_share, Bounds{0, 1}, "[-] of a surface's variance in that of every pair");
+  v("surface_doubt", o.surface_doubt, Bounds{0, 1e6},
+    "[-] the same, divided by the patches that the surface is made of");
   v("patch_variance", o.patch_variance, Bounds{1e-12, 1}, "[m^2] added to the variance of every pair");
   v("first_kernel_width", o.first_kernel_width, Bounds{1e-3, 1e9},
     "[sigma] at which the Geman-McClure kernel begins to act in the first iteration; halved in each that follows");
@@ -50,11 +62,16 @@ void visit(AlignMovingOptions& o, V&& v) {
   v("tremor_tilt", o.tremor_tilt, Bounds{0, 1},
     "[rad] greatest standard deviation of roll and pitch in a scan from constant velocity");
   v("tremor_yaw", o.tremor_yaw, Bounds{0, 1}, "[rad] the same about the axis of the LiDAR's spin");
+  v("tremor_yaw_share", o.tremor_yaw_share, Bounds{0, 10}, "[-] and that share of the one of roll and pitch more");
   v("tremor_translation", o.tremor_translation, Bounds{0, 1}, "[m] the same along the axes");
   v("tremor_least_rotation", o.tremor_least_rotation, Bounds{0, 1}, "[rad] least standard deviation; 0: no tremor");
   v("tremor_least_translation", o.tremor_least_translation, Bounds{0, 1}, "[m] the same along the axes");
   v("tremor_mean", o.tremor_mean, Bounds{1e-3, 1e6},
     "[-] what a tremor may leave over fifteen seconds, as a share of what chance would leave");
+  v("tremor_first_tilt", o.tremor_first_tilt, Bounds{0, 1},
+    "[rad] standard deviation of roll and pitch that is believed until scans have shown it");
+  v("tremor_lowest", o.tremor_lowest, Bounds{0, 1000}, "[Hz] least frequency of a tremor");
+  v("tremor_highest", o.tremor_highest, Bounds{0.1, 1000}, "[Hz] greatest frequency of a tremor");
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
     "[-] a direction with less information than this share of the best one is degenerate: there the motion goes "
     "on as it was in the last second, and partly so up to 1.5 times the share");

@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include <Eigen/LU>
 
 #include <tilth/registration/tremor.hpp>
 
@@ -26,6 +29,11 @@ Eigen::Vector3d by_kind(const Vector6d& values) {
   return {values.head<2>().sum(), values[2], values.tail<3>().sum()};
 }
 
+double sinc(double x) {
+  const double angle = std::numbers::pi * x;
+  return std::abs(angle) < 1e-9 ? 1.0 : std::sin(angle) / angle;
+}
+
 }  // namespace
 
 TremorSpread tremor_spread(const TremorEvidence& evidence, const AlignMovingOptions& options) {
@@ -34,16 +42,40 @@ TremorSpread tremor_spread(const TremorEvidence& evidence, const AlignMovingOpti
     const double seen = std::sqrt((evidence.squares[i] + kDoubt * least * least) / (evidence.freedom[i] + kDoubt));
     return std::min(std::max(seen, least), most);
   };
-  return {spread(0, options.tremor_least_rotation, options.tremor_tilt),
-          spread(1, options.tremor_least_rotation, options.tremor_yaw),
+  const double tilt = spread(0, options.tremor_least_rotation, options.tremor_tilt);
+  return {tilt, spread(1, options.tremor_least_rotation, options.tremor_yaw + options.tremor_yaw_share * tilt),
           spread(2, options.tremor_least_translation, options.tremor_translation)};
+}
+
+TremorEvidence first_evidence(const AlignMovingOptions& options) {
+  constexpr double kDeviations = 40;
+  TremorEvidence evidence;
+  evidence.freedom[0] = kDeviations;
+  evidence.squares[0] = kDeviations * options.tremor_first_tilt * options.tremor_first_tilt;
+  return evidence;
+}
+
+// The correlation of noise of a flat spectrum between two frequencies.
+KnotMatrix knot_precision(double duration, const AlignMovingOptions& options) {
+  constexpr double kRest = 0.01;  // of the variance: beside the band
+  const double width = options.tremor_highest - options.tremor_lowest;
+  const double middle = 0.5 * (options.tremor_highest + options.tremor_lowest);
+  KnotMatrix correlation;
+  for (int apart = 0; apart <= kIntervals; ++apart) {
+    const double time = apart * duration / kIntervals;
+    const double value = sinc(width * time) * std::cos(2 * std::numbers::pi * middle * time);
+    for (int i = 0; i + apart <= kIntervals; ++i) correlation(i, i + apart) = correlation(i + apart, i) = value;
+  }
+  correlation.diagonal().array() += kRest;
+  return correlation.inverse();
 }
 
 // With x ~ N(0, s^2), and (1 - a) mean + a x ~ N(0, k^2 s^2 a / 2), where a share k of chance's mean is left.
 TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, double share, double scale,
-                         const AlignMovingOptions& options) {
+                         const KnotMatrix& precision, const AlignMovingOptions& options) {
   const double pull = 2 / (options.tremor_mean * options.tremor_mean), narrowing = 1 + pull * share;
   TremorPrior prior;
+  prior.precision = precision;
   prior.spread_variances = spread.variances() / scale;
   prior.variances = prior.spread_variances / narrowing;
   for (std::size_t i = 0; i < mean.knots.size(); ++i)
@@ -85,9 +117,12 @@ TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& s
   }
   const Vector6d weights = prior.variances.cwiseInverse();
   for (int i = 0; i <= kIntervals; ++i) {
-    const auto k = std::size_t(i);
-    system.H.block<6, 6>(place_of(i), place_of(i)) += weights.asDiagonal();
-    system.b.segment<6>(place_of(i)) += weights.cwiseProduct(state.tremor.knots[k] - prior.means.knots[k]);
+    for (int j = 0; j <= kIntervals; ++j) {
+      const auto k = std::size_t(j);
+      const Vector6d joint = prior.precision(i, j) * weights;
+      system.H.block<6, 6>(place_of(i), place_of(j)).diagonal() += joint;
+      system.b.segment<6>(place_of(i)) += joint.cwiseProduct(state.tremor.knots[k] - prior.means.knots[k]);
+    }
   }
   return system;
 }
@@ -109,16 +144,19 @@ Matrix6d covariance_in_middle(const TremblingFactor& factor) {
   return half.transpose() * half;
 }
 
+// After MacKay: a coordinate of precision P shows x^T P x of squares, and n - tr(P C) of freedom with C its covariance.
 TremorEvidence evidence_of(const TremblingFactor& factor, const TremorPrior& prior, const ScanTremor& tremor) {
-  const TremblingSystem::Matrix L_inverse = factor.matrixL().solve(TremblingSystem::Matrix::Identity());
-  const TremblingSystem::Vector all_variances = L_inverse.colwise().squaredNorm();  // H^-1 = L^-T L^-1
-  TremorEvidence evidence;
+  const TremblingSystem::Matrix root = factor.matrixL().solve(TremblingSystem::Matrix::Identity());
+  Vector6d squares = Vector6d::Zero(), unknown = Vector6d::Zero();
   for (int i = 0; i <= kIntervals; ++i) {
-    const Vector6d unknown = all_variances.segment<6>(place_of(i)).cwiseQuotient(prior.spread_variances);
-    evidence.squares += by_kind(tremor.knots[std::size_t(i)].cwiseAbs2());
-    evidence.freedom += by_kind(Vector6d::Ones() - unknown);
+    for (int j = 0; j <= kIntervals; ++j) {
+      const auto covariance =  // C = L^-T L^-1
+          root.middleCols<6>(place_of(i)).cwiseProduct(root.middleCols<6>(place_of(j))).colwise().sum().transpose();
+      squares += prior.precision(i, j) * tremor.knots[std::size_t(i)].cwiseProduct(tremor.knots[std::size_t(j)]);
+      unknown += prior.precision(i, j) * covariance.cwiseQuotient(prior.spread_variances);
+    }
   }
-  return evidence;
+  return {by_kind(squares), by_kind(Vector6d::Constant(kIntervals + 1) - unknown)};
 }
 
 }  // namespace tilth

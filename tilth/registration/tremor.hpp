@@ -28,9 +28,21 @@ struct TremorSpread {
 /// As the last scans have shown it, within the bounds of the options.
 TremorSpread tremor_spread(const TremorEvidence& evidence, const AlignMovingOptions& options);
 
-/// What is known of a tremor before its scan: every coordinate of a knot is normal.
+/// What is believed before the first scans: a platform may shake, until they show that it does not. A spread that
+/// began at its least would be slow to leave it, for as long as the map takes up what tremor there is.
+TremorEvidence first_evidence(const AlignMovingOptions& options);
+
+/// Of the values of a coordinate at the knots.
+using KnotMatrix = Eigen::Matrix<double, ScanTremor::kIntervals + 1, ScanTremor::kIntervals + 1>;
+
+/// The inverse of the correlation between the knots of a scan of this duration [s], where vibrations of any frequency
+/// from tremor_lowest to tremor_highest are as likely: what a scan shows of a knot tells about those beside it.
+KnotMatrix knot_precision(double duration, const AlignMovingOptions& options);
+
+/// What is known of a tremor before its scan: the knots of a coordinate are jointly normal.
 struct TremorPrior {
   ScanTremor means;
+  KnotMatrix precision = KnotMatrix::Identity();  ///< of knots of variance 1
   Vector6d variances = Vector6d::Zero();
   Vector6d spread_variances = Vector6d::Zero();  ///< if the means were zero and nothing else known
 };
@@ -38,9 +50,10 @@ struct TremorPrior {
 /// A tremor goes to and fro. One that stayed at an instant of the scan, from scan to scan, would let the part of the
 /// map that is seen at that instant leave the other parts, and nothing would bring it back: the mean of the tremors
 /// over fifteen seconds is held to zero as well. `mean` is that of those before the scan, `share` the weight of the
-/// scan in the next one; `scale` that of the residuals, by which the pairs are surer than they say.
+/// scan in the next one; `scale` that of the residuals, by which the pairs are surer than they say. `precision` is
+/// that of the knots.
 TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, double share, double scale,
-                         const AlignMovingOptions& options);
+                         const KnotMatrix& precision, const AlignMovingOptions& options);
 
 /// The weight of a scan in the mean of about fifteen seconds, `interval` [s] after the last one.
 double share_of_mean(double interval);
