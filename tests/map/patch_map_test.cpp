@@ -129,6 +129,34 @@ TEST(PatchMap, AVoxelHoldsTheGaussianOfItsPatches) {
   }
 }
 
+TEST(PatchMap, PatchesThatAreNotFlatMakeAPlaneWhereTheyLieInOne) {
+  std::mt19937 rng(11);
+  const auto map_of = [&](std::size_t count, double thickness) {
+    std::uniform_real_distribution<double> u(0, 0.5);
+    std::normal_distribution<double> n(0, thickness);
+    SurfacePatches patches;
+    while (patches.size() < count) {
+      const double y = u(rng), z = u(rng), x = 2.25 + n(rng);
+      SurfacePatch patch =
+          patch_at({x, y, z}, Eigen::Vector3d::UnitZ(), false);  // a line along a ring, no normal known
+      patch.covariance = Eigen::Vector3d(thickness * thickness, 5e-3, thickness * thickness).asDiagonal();
+      patches.push_back(patch);
+    }
+    PatchMap map({.planar_patches = 10});
+    map.insert(patches, Pose::Identity());
+    return map;
+  };
+  const PatchMap wall = map_of(40, 0.02);
+  const MapSurface* surface = wall.find({2.25, 0.25, 0.25}, Eigen::Vector3d::UnitZ(), false);
+  ASSERT_NE(surface, nullptr);
+  EXPECT_TRUE(surface->planar);
+  EXPECT_FALSE(surface->flat);
+  EXPECT_GT(std::abs(surface->normal.x()), 0.99);
+  EXPECT_EQ(surface->patches, 40U);
+  for (const PatchMap& map : {map_of(9, 0.02), map_of(40, 0.1)})
+    EXPECT_FALSE(map.find({2.25, 0.25, 0.25}, Eigen::Vector3d::UnitZ(), false)->planar);
+}
+
 TEST(PatchMap, AGaussianIsHardlyEverOld) {
   const SurfacePatches patches = patches_of_one_voxel(kPose, 57, false);
   PatchMap map({.voxel_size = 0.5, .blur = 0});

@@ -1,4 +1,5 @@
 // The tremor of a scan: its system against a quadratic cost written out, and its size as the evidence shows it.
+#include <numbers>
 #include <random>
 
 #include <Eigen/LU>
@@ -13,9 +14,17 @@ constexpr double kMiddle = 0.05;  // [s]
 constexpr int kKnots = ScanTremor::kIntervals + 1;
 const TremorSpread kSpread{2e-3, 1.5e-3, 1e-3};
 
+/// Of knots that tell nothing about each other.
+const KnotMatrix kApart = KnotMatrix::Identity();
+
+/// Of vibrations.
+KnotMatrix vibrating() {
+  return knot_precision(2 * kMiddle, AlignMovingOptions());
+}
+
 /// Nothing known but the spread.
-TremorPrior prior_of(const TremorSpread& spread) {
-  return tremor_prior(spread, {}, 0.0, 1.0, AlignMovingOptions());
+TremorPrior prior_of(const TremorSpread& spread, const KnotMatrix& precision = kApart) {
+  return tremor_prior(spread, {}, 0.0, 1.0, precision, AlignMovingOptions());
 }
 
 /// Pairs of flat patches all around, whose residuals are those of a LiDAR that deviates by `tremor`, and of noise [m].
@@ -43,6 +52,24 @@ ScanTremor some_tremor(double rotation, double translation, std::mt19937& rng) {
   return tremor;
 }
 
+/// Tones of 6 to 24 Hz.
+ScanTremor vibration(double rotation, double translation, std::mt19937& rng) {
+  constexpr int kTones = 12;
+  std::uniform_real_distribution<double> frequency(6, 24), phase(0, 2 * std::numbers::pi);
+  ScanTremor tremor;
+  for (int i = 0; i < 6; ++i) {
+    for (int tone = 0; tone < kTones; ++tone) {
+      const double turns = frequency(rng), from = phase(rng);
+      for (int k = 0; k < kKnots; ++k) {
+        const double time = 2 * kMiddle * k / ScanTremor::kIntervals;
+        tremor.knots[std::size_t(k)][i] += (i < 3 ? rotation : translation) * std::sqrt(2.0 / kTones) *
+                                           std::sin(2 * std::numbers::pi * turns * time + from);
+      }
+    }
+  }
+  return tremor;
+}
+
 MotionState state_at_rest() {
   MotionState state;
   state.middle = kMiddle;
@@ -60,15 +87,19 @@ TEST(Tremor, TheSystemIsThatOfTheQuadraticCost) {
   const PatchPairs pairs = pairs_of(some_tremor(3e-3, 3e-3, rng), 0.01, 2);
   const MovingParts parts = linearize(pairs, state_at_rest());
   const TremblingSystem system =
-      trembling_system(parts, with_weak_prior(sum_of(parts)), prior_of(kSpread), state_at_rest());
+      trembling_system(parts, with_weak_prior(sum_of(parts)), prior_of(kSpread, vibrating()), state_at_rest());
 
   // 1/2 x^T H x + b^T x must be the cost of any step x, less that of none
+  const KnotMatrix precision = vibrating();
   const auto cost = [&](const Eigen::VectorXd& x) {
     ScanTremor tremor;
     double sum = 0.5 * 1e5 * x.head<12>().squaredNorm();
     for (int k = 0; k < kKnots; ++k) {
       tremor.knots[std::size_t(k)] = x.segment<6>(12 + 6 * k);
-      sum += 0.5 * x.segment<6>(12 + 6 * k).cwiseAbs2().cwiseQuotient(kSpread.variances()).sum();
+      for (int l = 0; l < kKnots; ++l) {
+        const Vector6d product = x.segment<6>(12 + 6 * k).cwiseProduct(x.segment<6>(12 + 6 * l));
+        sum += 0.5 * precision(k, l) * product.cwiseQuotient(kSpread.variances()).sum();
+      }
     }
     for (const FlatPair& pair : pairs.flat) {
       const Vector6d moved = x.head<6>() + pair.lever * x.segment<6>(6) + tremor.at(0.5 + 0.5 * pair.lever / kMiddle);
@@ -104,6 +135,50 @@ TEST(Tremor, IsFoundWhereTheSurfacesShowIt) {
   }
 }
 
+TEST(Tremor, TheKnotsOfVibrationsAreCorrelatedAsThePriorSays) {
+  std::mt19937 rng(8);
+  KnotMatrix correlation = KnotMatrix::Zero();
+  constexpr int kScans = 4000;
+  for (int scan = 0; scan < kScans; ++scan) {
+    const ScanTremor tremor = vibration(1, 1, rng);
+    for (int k = 0; k < kKnots; ++k) {
+      for (int l = 0; l < kKnots; ++l) {
+        correlation(k, l) += tremor.knots[std::size_t(k)].dot(tremor.knots[std::size_t(l)]) / (6 * kScans);
+      }
+    }
+  }
+  EXPECT_LT((correlation - vibrating().inverse()).cwiseAbs().maxCoeff(), 0.12);  // of 5 to 25 Hz, as the defaults say
+}
+
+TEST(Tremor, AKnotIsBetterKnownByThoseBesideIt) {
+  std::mt19937 rng(9);
+  const MotionState state = state_at_rest();
+  constexpr double kNoise = 0.1;
+  double apart = 0, together = 0;
+  for (std::uint32_t scan = 0; scan < 10; ++scan) {
+    const ScanTremor truth = vibration(2e-3, 1e-3, rng);
+    const MovingParts parts = linearize(pairs_of(truth, kNoise, scan), state);
+    const auto error = [&](const KnotMatrix& precision) {
+      TremorPrior prior = prior_of(kSpread, precision);
+      prior.variances /= 1e5 * kNoise * kNoise;  // the residuals' variance, in those that the pairs promise
+      const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), prior, state);
+      Vector12d step;
+      ScanTremor found;
+      EXPECT_TRUE(step_trembling(system, TremblingFactor(system.H), step, found));
+      double sum = 0;
+      for (int k = 0; k < kKnots; ++k) {
+        const double lever = kMiddle * (2.0 * k / ScanTremor::kIntervals - 1);
+        const Vector6d motion = step.head<6>() + lever * step.tail<6>() + found.knots[std::size_t(k)];
+        sum += (motion - truth.knots[std::size_t(k)]).head<3>().squaredNorm();
+      }
+      return sum;
+    };
+    apart += error(kApart);
+    together += error(vibrating());
+  }
+  EXPECT_LT(together, 0.9 * apart);
+}
+
 TEST(Tremor, AddsToTheCovarianceOfThePose) {
   const MotionState state = state_at_rest();
   const MovingParts parts = linearize(pairs_of({}, 0.003, 4), state);
@@ -121,21 +196,22 @@ TEST(Tremor, AddsToTheCovarianceOfThePose) {
 
 TEST(Tremor, ItsSizeFollowsFromWhatScansShow) {
   AlignMovingOptions options;
-  options.tremor_tilt = options.tremor_yaw = 5e-3, options.tremor_least_rotation = 2.5e-3;
+  options.tremor_tilt = options.tremor_yaw = 5e-3, options.tremor_least_rotation = 1e-3;
   for (const double rotation : {0.0, 3.5e-3}) {
     std::mt19937 rng(5);
-    TremorEvidence evidence;
-    for (std::uint32_t scan = 0; scan < 10; ++scan) {
+    TremorEvidence evidence = first_evidence(options);
+    EXPECT_NEAR(tremor_spread(evidence, options).tilt, options.tremor_first_tilt, 0.3 * options.tremor_first_tilt);
+    for (std::uint32_t scan = 0; scan < 30; ++scan) {
       const MotionState state = state_at_rest();
-      const MovingParts parts = linearize(pairs_of(some_tremor(rotation, 0, rng), 0.003, scan), state);
-      const TremorPrior prior = prior_of(tremor_spread(evidence, options));
+      const MovingParts parts = linearize(pairs_of(vibration(rotation, 0, rng), 0.003, scan), state);
+      const TremorPrior prior = prior_of(tremor_spread(evidence, options), vibrating());
       const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), prior, state);
       Vector12d step;
       ScanTremor found;
       const TremblingFactor factor(system.H);
       ASSERT_TRUE(step_trembling(system, factor, step, found));
       const TremorEvidence fresh = evidence_of(factor, prior, found);
-      evidence = {evidence.squares + fresh.squares, evidence.freedom + fresh.freedom};
+      evidence = faded_sum(evidence, fresh, 2 * kMiddle);
     }
     const TremorSpread spread = tremor_spread(evidence, options);
     EXPECT_NEAR(spread.tilt, std::max(rotation, options.tremor_least_rotation), 6e-4);
@@ -150,7 +226,7 @@ TEST(Tremor, ThePriorIsThatOfTheKnotsAndOfTheirMean) {
   std::mt19937 rng(6);
   const ScanTremor mean = some_tremor(1e-4, 1e-4, rng);
   constexpr double kShare = 0.05, kScale = 0.1;
-  const TremorPrior prior = tremor_prior(kSpread, mean, kShare, kScale, options);
+  const TremorPrior prior = tremor_prior(kSpread, mean, kShare, kScale, kApart, options);
   const Vector6d s2 = kSpread.variances() / kScale;
   for (std::size_t k = 0; k < mean.knots.size(); ++k) {
     for (int i = 0; i < 6; ++i) {
@@ -178,7 +254,7 @@ TEST(Tremor, WhatStaysAtAnInstantIsTakenBack) {
       crooked.knots[0][5] = 2e-3;
       const MovingParts parts = linearize(pairs_of(crooked, 0.003, std::uint32_t(scan % 5)), state);
       const double share = share_of_mean(0.1);
-      const TremorPrior prior = held ? tremor_prior(kSpread, mean, share, 1, options) : prior_of(kSpread);
+      const TremorPrior prior = held ? tremor_prior(kSpread, mean, share, 1, kApart, options) : prior_of(kSpread);
       const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), prior, state);
       Vector12d step;
       ScanTremor found;

@@ -29,7 +29,7 @@ struct AlignMovingOptions {
   double tremor_least_rotation = 1e-4;
   double tremor_least_translation = 1.5e-4;
   double tremor_mean = 0.2;
-  double tremor_first_tilt = 3e-3;
+  double tremor_first_tilt = 5e-4;
   double tremor_lowest = 5.0;
   double tremor_highest = 25.0;
   double degeneracy_ratio = 3e-3;
