@@ -1,103 +1,13 @@
 // Pose and velocity from patches of made rooms seen in motion; steps against numeric derivatives.
-#include <numbers>
 #include <random>
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
-#include <tilth/registration/align_moving.hpp>
+#include "made_places.hpp"
 
 namespace tilth {
 namespace {
-
-constexpr double kPeriod = 0.1, kMiddle = 0.05;  // [s]
-const Vector6d kVelocity = (Vector6d() << 0.1, -0.2, 1.0, 1.5, -0.4, 0.1).finished();
-const Pose kTruth = exp((Vector6d() << 0.02, -0.03, 0.7, 1.0, -0.5, 0.2).finished());
-
-Eigen::Matrix3d thin(const Eigen::Vector3d& normal, double along, double across) {
-  return along * Eigen::Matrix3d::Identity() + (across - along) * normal * normal.transpose();
-}
-
-/// A place of whole planes, each looked up by the way it faces.
-struct Place {
-  struct Plane {
-    Eigen::Vector3d mean, normal;
-    Eigen::Matrix3d covariance;
-    double variance;
-    float seen_at = 0.0F;
-    std::uint32_t patches = 60;
-    bool planar = true;
-  };
-  std::vector<Plane> planes;
-
-  void add(const Eigen::Vector3d& mean, const Eigen::Vector3d& normal) {
-    planes.push_back({mean, normal, thin(normal, 1.0, 1e-4), 1e-4});
-  }
-  const Plane* operator()(const Eigen::Vector3d&, const Eigen::Vector3d& normal, bool) const {
-    const auto faces_less = [&](const Plane& a, const Plane& b) { return a.normal.dot(normal) < b.normal.dot(normal); };
-    return planes.empty() ? nullptr : &*std::max_element(planes.begin(), planes.end(), faces_less);
-  }
-};
-
-Place tunnel() {
-  Place place;
-  for (const int axis : {1, 2}) {
-    for (const double side : {-1.0, 1.0}) {
-      const Eigen::Vector3d out = side * Eigen::Vector3d::Unit(axis);
-      place.add((axis == 1 ? 3.0 : 1.5) * out, -out);
-    }
-  }
-  return place;
-}
-
-Place room() {
-  Place place = tunnel();
-  place.add({6, 0, 0}, {-1, 0, 0});
-  place.add({-5, 0, 0}, {1, 0, 0});
-  return place;
-}
-
-/// Patches of the planes, at random up to 5 m from their means, each as it is seen at its own time: the sensor turns
-/// once in a period, and is at `T_map_middle` in the middle of it.
-SurfacePatches seen(const Place& place, const Pose& T_map_middle, const Vector6d& velocity, std::size_t count) {
-  std::mt19937 rng(5);
-  std::uniform_real_distribution<double> u(-5, 5);
-  SurfacePatches patches;
-  while (patches.size() < count) {
-    const Place::Plane& plane = place.planes[patches.size() % place.planes.size()];
-    const double x = u(rng), y = u(rng), z = u(rng);
-    const Eigen::Vector3d d(x, y, z), in_map = plane.mean + d - d.dot(plane.normal) * plane.normal;
-    const Eigen::Vector3d roughly = T_map_middle.inverse() * in_map;
-    const double time = kPeriod * (0.5 + std::atan2(roughly.y(), roughly.x()) / (2 * std::numbers::pi));
-    const Pose T_map_then = T_map_middle * exp(velocity * (double(float(time)) - kMiddle));
-    const Eigen::Vector3d normal = T_map_then.linear().transpose() * plane.normal;
-    patches.push_back({.mean = T_map_then.inverse() * in_map,
-                       .covariance = thin(normal, 1e-2, 1e-5),
-                       .normal = normal,
-                       .time = float(time),
-                       .thickness = 1e-5f,
-                       .flat = true});
-  }
-  return patches;
-}
-
-const AlignMovingOptions kOptions{.max_distance = 100};
-
-/// The prior of a sensor that has moved with `velocity` for a period, `surprise` from what was expected.
-MotionPrior prior_of(const Vector6d& velocity, const Vector6d& surprise) {
-  return {.T_map_last = kTruth * exp(-velocity * kPeriod),
-          .velocity = velocity + surprise,
-          .last_motion = velocity + surprise,
-          .steady_velocity = velocity + surprise,
-          .interval = kPeriod,
-          .known = true};
-}
-
-const Vector6d kSurprise = (Vector6d() << 0.1, 0.1, -0.3, 0.4, 0.3, -0.2).finished();
-
-double pose_error(const MovingAlignment& alignment) {
-  return log(kTruth.inverse() * alignment.pose.T_target_source).norm();
-}
 
 TEST(AlignMoving, FindsPoseAndVelocityTogether) {
   for (const double share : {0.0, 0.3, 1.0}) {
@@ -199,41 +109,6 @@ TEST(AlignMoving, AlongABareTunnelItGoesAsExpectedAndSaysSo) {
     EXPECT_NEAR(result.velocity[4], 0, 5e-3);
     EXPECT_GT(result.pose.covariance(3, 3), 100 * result.pose.covariance(4, 4));
   }
-}
-
-TEST(AlignMoving, APairIsAsSureAsThePatchHasPointsAndTheSurfaceHasPatches) {
-  const Place::Plane plane = room().planes.front();
-  SurfacePatch patch = seen(room(), kTruth, Vector6d::Zero(), 1).front();
-  patch.thickness = 9e-4F;
-  const Eigen::Vector3d askew = (patch.normal + 0.2 * patch.normal.unitOrthogonal()).normalized();
-  const auto variance = [&](std::uint16_t points, std::uint32_t patches, const Eigen::Vector3d& normal) {
-    SurfacePatch some = patch;
-    Place::Plane surface = plane;
-    some.points = points, surface.patches = patches;
-    return pair_variance(some, normal, surface, kOptions);
-  };
-  EXPECT_NEAR(variance(1, 60, patch.normal) - variance(9, 60, patch.normal), 9e-4 * (1 - 1.0 / 9), 1e-9);
-  EXPECT_NEAR(variance(9, 1, patch.normal) - variance(9, 10, patch.normal), kOptions.surface_doubt * 1e-4 * 0.9, 1e-9);
-  EXPECT_GT(variance(9, 60, askew) - variance(9, 60, patch.normal), 0.9 * kOptions.spread_share * 0.04 * 1e-2);
-}
-
-TEST(AlignMoving, PatchesThatAreNotFlatAreHeldAgainstPlanes) {
-  SurfacePatches patches = seen(room(), kTruth, kVelocity, 600);
-  for (SurfacePatch& patch : patches) {
-    patch.flat = false;
-    patch.normal = patch.normal.unitOrthogonal();
-  }
-  // none of them faces as its surface does, so that they are told apart by where they are
-  const auto nearest = [place = room()](const Eigen::Vector3d& p, const Eigen::Vector3d&, bool flat) {
-    EXPECT_FALSE(flat);
-    const auto nearer = [&](const Place::Plane& a, const Place::Plane& b) {
-      return std::abs(a.normal.dot(p - a.mean)) < std::abs(b.normal.dot(p - b.mean));
-    };
-    return &*std::min_element(place.planes.begin(), place.planes.end(), nearer);
-  };
-  const auto result = align_moving(patches, kMiddle, prior_of(kVelocity, 0.3 * kSurprise), nearest, kOptions);
-  EXPECT_TRUE(result.pose.converged);
-  EXPECT_LT(pose_error(result), 1e-3);
 }
 
 TEST(AlignMoving, WorksWithoutTimes) {

@@ -19,12 +19,14 @@ const KnotMatrix kApart = KnotMatrix::Identity();
 
 /// Of vibrations.
 KnotMatrix vibrating() {
-  return knot_precision(2 * kMiddle, AlignMovingOptions());
+  return knot_precision(2 * kMiddle, TremorOptions());
 }
 
 /// Nothing known but the spread.
 TremorPrior prior_of(const TremorSpread& spread, const KnotMatrix& precision = kApart) {
-  return tremor_prior(spread, {}, 0.0, 1.0, precision, AlignMovingOptions());
+  TremorPrior prior = tremor_prior(spread, {}, {}, TremorOptions());
+  prior.precision = precision;
+  return prior;
 }
 
 /// Pairs of flat patches all around, whose residuals are those of a LiDAR that deviates by `tremor`, and of noise [m].
@@ -195,12 +197,12 @@ TEST(Tremor, AddsToTheCovarianceOfThePose) {
 }
 
 TEST(Tremor, ItsSizeFollowsFromWhatScansShow) {
-  AlignMovingOptions options;
-  options.tremor_tilt = options.tremor_yaw = 5e-3, options.tremor_least_rotation = 1e-3;
+  TremorOptions options;
+  options.tilt = options.yaw = 5e-3, options.least_rotation = 1e-3, options.first_tilt = 3e-3;
   for (const double rotation : {0.0, 3.5e-3}) {
     std::mt19937 rng(5);
     TremorEvidence evidence = first_evidence(options);
-    EXPECT_NEAR(tremor_spread(evidence, options).tilt, options.tremor_first_tilt, 0.3 * options.tremor_first_tilt);
+    EXPECT_NEAR(tremor_spread(evidence, options).tilt, options.first_tilt, 0.3 * options.first_tilt);
     for (std::uint32_t scan = 0; scan < 30; ++scan) {
       const MotionState state = state_at_rest();
       const MovingParts parts = linearize(pairs_of(vibration(rotation, 0, rng), 0.003, scan), state);
@@ -214,25 +216,25 @@ TEST(Tremor, ItsSizeFollowsFromWhatScansShow) {
       evidence = faded_sum(evidence, fresh, 2 * kMiddle);
     }
     const TremorSpread spread = tremor_spread(evidence, options);
-    EXPECT_NEAR(spread.tilt, std::max(rotation, options.tremor_least_rotation), 6e-4);
-    EXPECT_NEAR(spread.yaw, std::max(rotation, options.tremor_least_rotation), 6e-4);
-    EXPECT_NEAR(spread.translation, options.tremor_least_translation, 2e-4);
+    EXPECT_NEAR(spread.tilt, std::max(rotation, options.least_rotation), 6e-4);
+    EXPECT_NEAR(spread.yaw, std::max(rotation, options.least_rotation), 6e-4);
+    EXPECT_NEAR(spread.translation, options.least_translation, 2e-4);
   }
 }
 
 TEST(Tremor, ThePriorIsThatOfTheKnotsAndOfTheirMean) {
-  AlignMovingOptions options;
-  options.tremor_mean = 0.4;
+  TremorOptions options;
+  options.mean = 0.4;
   std::mt19937 rng(6);
   const ScanTremor mean = some_tremor(1e-4, 1e-4, rng);
   constexpr double kShare = 0.05, kScale = 0.1;
-  const TremorPrior prior = tremor_prior(kSpread, mean, kShare, kScale, kApart, options);
+  const TremorPrior prior = tremor_prior(kSpread, mean, {kShare, kScale}, options);
   const Vector6d s2 = kSpread.variances() / kScale;
   for (std::size_t k = 0; k < mean.knots.size(); ++k) {
     for (int i = 0; i < 6; ++i) {
       const auto cost = [&](double x) {
         const double left = (1 - kShare) * mean.knots[k][i] + kShare * x;
-        const double mean_variance = options.tremor_mean * options.tremor_mean * s2[i] * kShare / 2;
+        const double mean_variance = options.mean * options.mean * s2[i] * kShare / 2;
         return 0.5 * x * x / s2[i] + 0.5 * left * left / mean_variance;
       };
       const double best = prior.means.knots[k][i], sigma = std::sqrt(prior.variances[i]);
@@ -244,7 +246,7 @@ TEST(Tremor, ThePriorIsThatOfTheKnotsAndOfTheirMean) {
 }
 
 TEST(Tremor, WhatStaysAtAnInstantIsTakenBack) {
-  const AlignMovingOptions options;
+  const TremorOptions options;
   const auto left_after_a_minute = [&](bool held) {
     ScanTremor mean;
     std::mt19937 rng(7);
@@ -254,7 +256,8 @@ TEST(Tremor, WhatStaysAtAnInstantIsTakenBack) {
       crooked.knots[0][5] = 2e-3;
       const MovingParts parts = linearize(pairs_of(crooked, 0.003, std::uint32_t(scan % 5)), state);
       const double share = share_of_mean(0.1);
-      const TremorPrior prior = held ? tremor_prior(kSpread, mean, share, 1, kApart, options) : prior_of(kSpread);
+      TremorPrior prior = held ? tremor_prior(kSpread, mean, {share}, options) : prior_of(kSpread);
+      prior.precision = kApart;
       const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), prior, state);
       Vector12d step;
       ScanTremor found;
@@ -269,11 +272,11 @@ TEST(Tremor, WhatStaysAtAnInstantIsTakenBack) {
 }
 
 TEST(Tremor, NoneWhereTheOptionsAllowNone) {
-  AlignMovingOptions options;
+  TremorOptions options;
   EXPECT_FALSE(tremor_spread({}, options).none());
-  options.tremor_tilt = 0;
+  options.tilt = 0;
   EXPECT_TRUE(tremor_spread({}, options).none());
-  options = {.tremor_least_rotation = 0};
+  options = {.least_rotation = 0};
   EXPECT_TRUE(tremor_spread({}, options).none());
 }
 

@@ -42,7 +42,7 @@ void visit(TilthOptions& o, V&& v) {
 class TilthOdometry : public Odometry {
  public:
   explicit TilthOdometry(const TilthOptions& options) : options_(options), map_(options.map) {
-    motion_.tremor = first_evidence(options.align);
+    motion_.tremor = first_evidence(options.align.tremor);
   }
   OdometryResult register_scan(const Scan& scan) override;
   PointCloud local_map() const override;

@@ -170,9 +170,9 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   const MovingSystem& system = at_state.whole;
   const double scale = residual_scale(pairs, result.pose.error);
   const bool may_tremble = prior.known && narrow(state, options) && state.middle > 0;
-  const TremorSpread spread = may_tremble ? tremor_spread(prior.tremor, options) : TremorSpread();
-  const TremorPrior tremor = tremor_prior(spread, prior.tremor_mean, share_of_mean(prior.interval), scale,
-                                          knot_precision(2 * state.middle, options), options);
+  const TremorSpread spread = may_tremble ? tremor_spread(prior.tremor, options.tremor) : TremorSpread();
+  const TremorPrior tremor =
+      tremor_prior(spread, prior.tremor_mean, {share_of_mean(prior.interval), scale, 2 * state.middle}, options.tremor);
   std::optional<TremblingFactor> trembling;
   Vector12d step;
   if (spread.none()) {

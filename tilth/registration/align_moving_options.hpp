@@ -2,6 +2,7 @@
 #pragma once
 
 #include <tilth/core/options.hpp>
+#include <tilth/registration/tremor_options.hpp>
 
 namespace tilth {
 
@@ -22,16 +23,7 @@ struct AlignMovingOptions {
   double angular_acceleration = 20.0;
   double velocity_slack = 0.01;
   double velocity_share = 0.1;
-  double tremor_tilt = 5e-3;
-  double tremor_yaw = 2e-4;
-  double tremor_yaw_share = 0.15;
-  double tremor_translation = 2e-3;
-  double tremor_least_rotation = 1e-4;
-  double tremor_least_translation = 1.5e-4;
-  double tremor_mean = 0.2;
-  double tremor_first_tilt = 5e-4;
-  double tremor_lowest = 5.0;
-  double tremor_highest = 25.0;
+  TremorOptions tremor = {};
   double degeneracy_ratio = 3e-3;
   double steady_acceleration = 1.0;
   int min_matches = 20;
@@ -59,19 +51,7 @@ void visit(AlignMovingOptions& o, V&& v) {
   v("velocity_slack", o.velocity_slack, Bounds{1e-6, 1e6},
     "[m/s^2, rad/s^2] by which the velocity in a scan may differ from the motion since the last one");
   v("velocity_share", o.velocity_share, Bounds{0, 10}, "[-] the same as a share of the acceleration seen, in addition");
-  v("tremor_tilt", o.tremor_tilt, Bounds{0, 1},
-    "[rad] greatest standard deviation of roll and pitch in a scan from constant velocity");
-  v("tremor_yaw", o.tremor_yaw, Bounds{0, 1}, "[rad] the same about the axis of the LiDAR's spin");
-  v("tremor_yaw_share", o.tremor_yaw_share, Bounds{0, 10}, "[-] and that share of the one of roll and pitch more");
-  v("tremor_translation", o.tremor_translation, Bounds{0, 1}, "[m] the same along the axes");
-  v("tremor_least_rotation", o.tremor_least_rotation, Bounds{0, 1}, "[rad] least standard deviation; 0: no tremor");
-  v("tremor_least_translation", o.tremor_least_translation, Bounds{0, 1}, "[m] the same along the axes");
-  v("tremor_mean", o.tremor_mean, Bounds{1e-3, 1e6},
-    "[-] what a tremor may leave over fifteen seconds, as a share of what chance would leave");
-  v("tremor_first_tilt", o.tremor_first_tilt, Bounds{0, 1},
-    "[rad] standard deviation of roll and pitch that is believed until scans have shown it");
-  v("tremor_lowest", o.tremor_lowest, Bounds{0, 1000}, "[Hz] least frequency of a tremor");
-  v("tremor_highest", o.tremor_highest, Bounds{0.1, 1000}, "[Hz] greatest frequency of a tremor");
+  v("tremor", o.tremor, "[-] deviations from constant velocity within a scan");
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
     "[-] a direction with less information than this share of the best one is degenerate: there the motion goes "
     "on as it was in the last second, and partly so up to 1.5 times the share");

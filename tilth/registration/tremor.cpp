@@ -36,30 +36,30 @@ double sinc(double x) {
 
 }  // namespace
 
-TremorSpread tremor_spread(const TremorEvidence& evidence, const AlignMovingOptions& options) {
+TremorSpread tremor_spread(const TremorEvidence& evidence, const TremorOptions& options) {
   constexpr double kDoubt = 20;  // deviations that speak for the least spread
   const auto spread = [&](int i, double least, double most) {
     const double seen = std::sqrt((evidence.squares[i] + kDoubt * least * least) / (evidence.freedom[i] + kDoubt));
     return std::min(std::max(seen, least), most);
   };
-  const double tilt = spread(0, options.tremor_least_rotation, options.tremor_tilt);
-  return {tilt, spread(1, options.tremor_least_rotation, options.tremor_yaw + options.tremor_yaw_share * tilt),
-          spread(2, options.tremor_least_translation, options.tremor_translation)};
+  const double tilt = spread(0, options.least_rotation, options.tilt);
+  return {tilt, spread(1, options.least_rotation, options.yaw + options.yaw_share * tilt),
+          spread(2, options.least_translation, options.translation)};
 }
 
-TremorEvidence first_evidence(const AlignMovingOptions& options) {
+TremorEvidence first_evidence(const TremorOptions& options) {
   constexpr double kDeviations = 40;
   TremorEvidence evidence;
   evidence.freedom[0] = kDeviations;
-  evidence.squares[0] = kDeviations * options.tremor_first_tilt * options.tremor_first_tilt;
+  evidence.squares[0] = kDeviations * options.first_tilt * options.first_tilt;
   return evidence;
 }
 
 // The correlation of noise of a flat spectrum between two frequencies.
-KnotMatrix knot_precision(double duration, const AlignMovingOptions& options) {
+KnotMatrix knot_precision(double duration, const TremorOptions& options) {
   constexpr double kRest = 0.01;  // of the variance: beside the band
-  const double width = options.tremor_highest - options.tremor_lowest;
-  const double middle = 0.5 * (options.tremor_highest + options.tremor_lowest);
+  const double width = options.highest - options.lowest;
+  const double middle = 0.5 * (options.highest + options.lowest);
   KnotMatrix correlation;
   for (int apart = 0; apart <= kIntervals; ++apart) {
     const double time = apart * duration / kIntervals;
@@ -71,15 +71,15 @@ KnotMatrix knot_precision(double duration, const AlignMovingOptions& options) {
 }
 
 // With x ~ N(0, s^2), and (1 - a) mean + a x ~ N(0, k^2 s^2 a / 2), where a share k of chance's mean is left.
-TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, double share, double scale,
-                         const KnotMatrix& precision, const AlignMovingOptions& options) {
-  const double pull = 2 / (options.tremor_mean * options.tremor_mean), narrowing = 1 + pull * share;
+TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, const TremblingScan& scan,
+                         const TremorOptions& options) {
+  const double pull = 2 / (options.mean * options.mean), narrowing = 1 + pull * scan.share;
   TremorPrior prior;
-  prior.precision = precision;
-  prior.spread_variances = spread.variances() / scale;
+  prior.precision = knot_precision(scan.duration, options);
+  prior.spread_variances = spread.variances() / scan.scale;
   prior.variances = prior.spread_variances / narrowing;
   for (std::size_t i = 0; i < mean.knots.size(); ++i)
-    prior.means.knots[i] = -pull * (1 - share) / narrowing * mean.knots[i];
+    prior.means.knots[i] = -pull * (1 - scan.share) / narrowing * mean.knots[i];
   return prior;
 }
 

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <tilth/registration/moving_system.hpp>
+#include <tilth/registration/tremor_options.hpp>
 
 namespace tilth {
 
@@ -26,18 +27,18 @@ struct TremorSpread {
 };
 
 /// As the last scans have shown it, within the bounds of the options.
-TremorSpread tremor_spread(const TremorEvidence& evidence, const AlignMovingOptions& options);
+TremorSpread tremor_spread(const TremorEvidence& evidence, const TremorOptions& options);
 
 /// What is believed before the first scans: a platform may shake, until they show that it does not. A spread that
 /// began at its least would be slow to leave it, for as long as the map takes up what tremor there is.
-TremorEvidence first_evidence(const AlignMovingOptions& options);
+TremorEvidence first_evidence(const TremorOptions& options);
 
 /// Of the values of a coordinate at the knots.
 using KnotMatrix = Eigen::Matrix<double, ScanTremor::kIntervals + 1, ScanTremor::kIntervals + 1>;
 
 /// The inverse of the correlation between the knots of a scan of this duration [s], where vibrations of any frequency
-/// from tremor_lowest to tremor_highest are as likely: what a scan shows of a knot tells about those beside it.
-KnotMatrix knot_precision(double duration, const AlignMovingOptions& options);
+/// from `lowest` to `highest` are as likely: what a scan shows of a knot tells about those beside it.
+KnotMatrix knot_precision(double duration, const TremorOptions& options);
 
 /// What is known of a tremor before its scan: the knots of a coordinate are jointly normal.
 struct TremorPrior {
@@ -47,13 +48,18 @@ struct TremorPrior {
   Vector6d spread_variances = Vector6d::Zero();  ///< if the means were zero and nothing else known
 };
 
+/// What the prior of a tremor depends on, beside what was seen of others.
+struct TremblingScan {
+  double share = 0.0;     ///< weight of the scan in the mean of tremors
+  double scale = 1.0;     ///< of the residuals: squares over the variances that their pairs promise
+  double duration = 0.1;  ///< [s]
+};
+
 /// A tremor goes to and fro. One that stayed at an instant of the scan, from scan to scan, would let the part of the
 /// map that is seen at that instant leave the other parts, and nothing would bring it back: the mean of the tremors
-/// over fifteen seconds is held to zero as well. `mean` is that of those before the scan, `share` the weight of the
-/// scan in the next one; `scale` that of the residuals, by which the pairs are surer than they say. `precision` is
-/// that of the knots.
-TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, double share, double scale,
-                         const KnotMatrix& precision, const AlignMovingOptions& options);
+/// over fifteen seconds is held to zero as well. `mean` is that of those before the scan.
+TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, const TremblingScan& scan,
+                         const TremorOptions& options);
 
 /// The weight of a scan in the mean of about fifteen seconds, `interval` [s] after the last one.
 double share_of_mean(double interval);

@@ -1,0 +1,38 @@
+// Options of the tremor of a scan.
+#pragma once
+
+#include <tilth/core/options.hpp>
+
+namespace tilth {
+
+struct TremorOptions {
+  double tilt = 5e-3;
+  double yaw = 2e-4;
+  double yaw_share = 0.15;
+  double translation = 2e-3;
+  double least_rotation = 1e-4;
+  double least_translation = 1.5e-4;
+  double mean = 0.2;
+  double first_tilt = 5e-4;
+  double lowest = 5.0;
+  double highest = 25.0;
+};
+
+template <class V>
+void visit(TremorOptions& o, V&& v) {
+  v("tilt", o.tilt, Bounds{0, 1},
+    "[rad] greatest standard deviation of roll and pitch in a scan from constant velocity; 0: no tremor");
+  v("yaw", o.yaw, Bounds{0, 1}, "[rad] the same about the axis of the LiDAR's spin, where nothing tilts");
+  v("yaw_share", o.yaw_share, Bounds{0, 10}, "[-] ... and this share of roll's and pitch's deviation more");
+  v("translation", o.translation, Bounds{0, 1}, "[m] the same along the axes");
+  v("least_rotation", o.least_rotation, Bounds{0, 1}, "[rad] least standard deviation; 0: no tremor");
+  v("least_translation", o.least_translation, Bounds{0, 1}, "[m] the same along the axes");
+  v("mean", o.mean, Bounds{1e-3, 1e6},
+    "[-] what a tremor may leave over fifteen seconds, as a share of what chance would leave");
+  v("first_tilt", o.first_tilt, Bounds{0, 1},
+    "[rad] standard deviation of roll and pitch that is believed until scans have shown it");
+  v("lowest", o.lowest, Bounds{0, 1000}, "[Hz] least frequency");
+  v("highest", o.highest, Bounds{0.1, 1000}, "[Hz] greatest frequency");
+}
+
+}  // namespace tilth
