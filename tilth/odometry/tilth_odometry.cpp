@@ -72,11 +72,17 @@ MovingAlignment TilthOdometry::register_patches(const SurfacePatches& patches, d
 }
 
 Matrix6d TilthOdometry::covariance_of(const MovingAlignment& alignment, double time) {
-  return uncertainty_.add({.time = time,
-                           .T_map_lidar = alignment.pose.T_target_source,
-                           .covariance = options_.covariance_scale * alignment.covariance,
-                           .surfaces_seen_at = alignment.surfaces_seen_at.value_or(last_middle_ - begin_),
-                           .dead_reckoned = alignment.dead_reckoned});
+  const Pose& T_map_lidar = alignment.pose.T_target_source;
+  const Matrix6d since_first =
+      uncertainty_.add({.time = time,
+                        .T_map_lidar = T_map_lidar,
+                        .covariance = options_.covariance_scale * alignment.covariance,
+                        .surfaces_seen_at = alignment.surfaces_seen_at.value_or(last_middle_ - begin_),
+                        .dead_reckoned = alignment.dead_reckoned});
+  // Nothing tells of the tremor of the first scan, whose pose all others are seen from.
+  const Vector6d first = seen_spread(motion_.tremor, options_.align.tremor).variances();
+  const Matrix6d to_lidar = adjoint(T_map_lidar.inverse());
+  return since_first + to_lidar * first.asDiagonal() * to_lidar.transpose();
 }
 
 void TilthOdometry::insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment) {

@@ -16,7 +16,7 @@ struct TilthOptions {
   double min_range = 0.5;
   double max_range = 100.0;
   double pose_at = 0.5;
-  double covariance_scale = 1.5;
+  double covariance_scale = 1.0;
   int max_patches = 1500;
   RingSupportOptions outliers;
   PatchOptions patches;

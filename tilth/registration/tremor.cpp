@@ -36,15 +36,20 @@ double sinc(double x) {
 
 }  // namespace
 
-TremorSpread tremor_spread(const TremorEvidence& evidence, const TremorOptions& options) {
+TremorSpread seen_spread(const TremorEvidence& evidence, const TremorOptions& options) {
   constexpr double kDoubt = 20;  // deviations that speak for the least spread
-  const auto spread = [&](int i, double least, double most) {
-    const double seen = std::sqrt((evidence.squares[i] + kDoubt * least * least) / (evidence.freedom[i] + kDoubt));
-    return std::min(std::max(seen, least), most);
+  const auto spread = [&](int i, double least) {
+    return std::sqrt((evidence.squares[i] + kDoubt * least * least) / (evidence.freedom[i] + kDoubt));
   };
-  const double tilt = spread(0, options.least_rotation, options.tilt);
-  return {tilt, spread(1, options.least_rotation, options.yaw + options.yaw_share * tilt),
-          spread(2, options.least_translation, options.translation)};
+  return {spread(0, options.least_rotation), spread(1, options.least_rotation), spread(2, options.least_translation)};
+}
+
+TremorSpread tremor_spread(const TremorEvidence& evidence, const TremorOptions& options) {
+  const auto within = [](double least, double seen, double most) { return std::min(std::max(seen, least), most); };
+  const TremorSpread seen = seen_spread(evidence, options);
+  const double tilt = within(options.least_rotation, seen.tilt, options.tilt);
+  return {tilt, within(options.least_rotation, seen.yaw, options.yaw + options.yaw_share * tilt),
+          within(options.least_translation, seen.translation, options.translation)};
 }
 
 TremorEvidence first_evidence(const TremorOptions& options) {

@@ -26,7 +26,10 @@ struct TremorSpread {
   }
 };
 
-/// As the last scans have shown it, within the bounds of the options.
+/// As the last scans have shown it.
+TremorSpread seen_spread(const TremorEvidence& evidence, const TremorOptions& options);
+
+/// The same within the bounds of the options, by which parts of the map stay together.
 TremorSpread tremor_spread(const TremorEvidence& evidence, const TremorOptions& options);
 
 /// What is believed before the first scans: a platform may shake, until they show that it does not. A spread that
