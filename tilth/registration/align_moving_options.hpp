@@ -7,7 +7,7 @@
 namespace tilth {
 
 struct AlignMovingOptions {
-  int max_iterations = 30;
+  int max_iterations = 60;
   double rotation_epsilon = 1e-5;
   double translation_epsilon = 1e-4;
   double max_distance = 2.0;
