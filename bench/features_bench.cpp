@@ -1,4 +1,5 @@
-// From a scan to its features, stage by stage and together, as improved_floam makes them. Scenes: 0 corridor, 1 plaza, 2 street (64 beams).
+// From a scan to its features, stage by stage and together, as improved_floam makes them. Scenes: 0 corridor, 1 plaza,
+// 2 street (64 beams).
 #include <benchmark/benchmark.h>
 
 #include "driven_scans.hpp"
