@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <tilth/registration/align_moving.hpp>
+#include <tilth/registration/motion_prior.hpp>
 
 namespace tilth {
 namespace {

@@ -20,38 +20,6 @@ double trust(double share, double degeneracy_ratio) {
   return std::clamp((share / degeneracy_ratio - 1.0) / (kWhollyTrusted - 1.0), 0.0, 1.0);
 }
 
-Vector6d variances_of(double rotation_sigma, double translation_sigma) {
-  Vector6d variances;
-  variances << Eigen::Vector3d::Constant(rotation_sigma * rotation_sigma),
-      Eigen::Vector3d::Constant(translation_sigma * translation_sigma);
-  return variances;
-}
-
-// The pose is where the velocity expected leads to, give or take the accelerations that a robot is capable of.
-void add_pose_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
-                    MovingSystem& system) {
-  const Vector6d weights = pose_variances(prior, options).cwiseInverse();
-  system.H.topLeftCorner<6, 6>() += weights.asDiagonal();
-  system.b.head<6>() += weights.cwiseProduct(log(predicted(prior).inverse() * state.T_map_lidar));
-}
-
-// The velocity in the scan is the motion since the last scan, unless that itself has changed: then it may differ.
-void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
-                        MovingSystem& system) {
-  const double rate = 1 / prior.interval;
-  const Vector6d motion = rate * log(prior.T_map_last.inverse() * state.T_map_lidar);
-  const Vector6d change = rate * (motion - prior.last_motion);
-  const auto sigma = [&](double seen) {
-    return 0.5 * prior.interval * (options.velocity_slack + options.velocity_share * seen);
-  };
-  const Vector6d weights = variances_of(sigma(change.head<3>().norm()), sigma(change.tail<3>().norm())).cwiseInverse();
-  Eigen::Matrix<double, 6, 12> J;
-  J << -rate * Matrix6d::Identity(), Matrix6d::Identity();
-  const Eigen::Matrix<double, 12, 6> Jt = J.transpose() * weights.asDiagonal();
-  system.H += Jt * J;
-  system.b += Jt * (state.velocity - motion);
-}
-
 // What the pairs would determine if all were right, as they may not be yet: keep * x is the part of a motion x
 // of the pose that they are trusted with.
 Matrix6d trusted_part(const PatchPairs& pairs, const Pose& T_map_lidar, const AlignMovingOptions& options) {
@@ -66,7 +34,7 @@ Matrix6d trusted_part(const PatchPairs& pairs, const Pose& T_map_lidar, const Al
 }
 
 // Along directions that the pairs hardly determine, slightly wrong normals and rings, which travel with the sensor, say
-// more than the surfaces do. There, in what `keep` does not keep, the pairs are not heard ...
+// more than the surfaces do. There, in what `keep` does not keep, the pairs are not heard.
 void keep_only(const Matrix6d& keep, MovingParts& parts) {
   Matrix12d keep_both = Matrix12d::Zero();
   keep_both.topLeftCorner<6, 6>() = keep_both.bottomRightCorner<6, 6>() = keep;
@@ -74,25 +42,6 @@ void keep_only(const Matrix6d& keep, MovingParts& parts) {
     part.H = keep_both.transpose() * part.H * keep_both;
     part.b = keep_both.transpose() * part.b;
   }
-}
-
-// Standard deviation [rad, m] of a pose that goes on at the velocity of the last second.
-double steady_shift(const MotionPrior& prior, const AlignMovingOptions& options) {
-  return 0.5 * prior.interval * prior.interval * options.steady_acceleration;
-}
-
-// ... and the motion goes on as it was in the last second.
-void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& options, const Matrix6d& lost,
-                      const MotionState& state, MovingSystem& system) {
-  const double change = prior.interval * options.steady_acceleration;
-  const Pose T_map_steady = retract(prior.T_map_last, prior.steady_velocity * prior.interval);
-  const auto add = [&](int at, double sigma, const Vector6d& residual) {
-    const Matrix6d Jt = lost.transpose() / (sigma * sigma);
-    system.H.block<6, 6>(at, at) += Jt * lost;
-    system.b.segment<6>(at) += Jt * (lost * residual);
-  };
-  add(0, steady_shift(prior, options), log(T_map_steady.inverse() * state.T_map_lidar));
-  add(6, change, state.velocity - prior.steady_velocity);
 }
 
 // Before, pairs are yet to be found.
@@ -135,29 +84,6 @@ double residual_scale(const PatchPairs& pairs, double error) {
 }
 
 }  // namespace
-
-Vector6d pose_variances(const MotionPrior& prior, const AlignMovingOptions& options) {
-  const double half_square = 0.5 * prior.interval * prior.interval;
-  return variances_of(half_square * options.angular_acceleration, half_square * options.acceleration);
-}
-
-MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
-  const Pose& T_map_last = alignment.pose.T_target_source;
-  const bool known = prior.interval > 0 && alignment.pose.matches > 0;
-  const Vector6d motion =
-      known ? Vector6d(log(prior.T_map_last.inverse() * T_map_last) / prior.interval) : prior.last_motion;
-  constexpr double kMemory = 1.0;  // [s] of the steady velocity
-  const double fresh = prior.known ? 1 - std::exp(-prior.interval / kMemory) : 1.0;
-  const Vector6d steady = prior.steady_velocity + fresh * (motion - prior.steady_velocity);
-  return {T_map_last,
-          alignment.velocity,
-          motion,
-          steady,
-          0.0,
-          faded_sum(prior.tremor, alignment.evidence, prior.interval),
-          mean_with(prior.tremor_mean, alignment.tremor, share_of_mean(prior.interval)),
-          prior.known || known};
-}
 
 bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
                  MotionState& state, MovingAlignment& result) {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include <tilth/registration/align.hpp>
-#include <tilth/registration/align_moving.hpp>
+#include <tilth/registration/patch_pairs.hpp>
 
 namespace tilth {
 

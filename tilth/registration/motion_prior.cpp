@@ -1,0 +1,81 @@
+#include <cmath>
+
+#include <tilth/registration/motion_prior.hpp>
+#include <tilth/registration/tremor.hpp>
+
+namespace tilth {
+namespace {
+
+Vector6d variances_of(double rotation_sigma, double translation_sigma) {
+  Vector6d variances;
+  variances << Eigen::Vector3d::Constant(rotation_sigma * rotation_sigma),
+      Eigen::Vector3d::Constant(translation_sigma * translation_sigma);
+  return variances;
+}
+
+}  // namespace
+
+Vector6d pose_variances(const MotionPrior& prior, const AlignMovingOptions& options) {
+  const double half_square = 0.5 * prior.interval * prior.interval;
+  return variances_of(half_square * options.angular_acceleration, half_square * options.acceleration);
+}
+
+double steady_shift(const MotionPrior& prior, const AlignMovingOptions& options) {
+  return 0.5 * prior.interval * prior.interval * options.steady_acceleration;
+}
+
+MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
+  const Pose& T_map_last = alignment.pose.T_target_source;
+  const bool known = prior.interval > 0 && alignment.pose.matches > 0;
+  const Vector6d motion =
+      known ? Vector6d(log(prior.T_map_last.inverse() * T_map_last) / prior.interval) : prior.last_motion;
+  constexpr double kMemory = 1.0;  // [s] of the steady velocity
+  const double fresh = prior.known ? 1 - std::exp(-prior.interval / kMemory) : 1.0;
+  const Vector6d steady = prior.steady_velocity + fresh * (motion - prior.steady_velocity);
+  return {T_map_last,
+          alignment.velocity,
+          motion,
+          steady,
+          0.0,
+          faded_sum(prior.tremor, alignment.evidence, prior.interval),
+          mean_with(prior.tremor_mean, alignment.tremor, share_of_mean(prior.interval)),
+          prior.known || known};
+}
+
+void add_pose_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
+                    MovingSystem& system) {
+  const Vector6d weights = pose_variances(prior, options).cwiseInverse();
+  system.H.topLeftCorner<6, 6>() += weights.asDiagonal();
+  system.b.head<6>() += weights.cwiseProduct(log(predicted(prior).inverse() * state.T_map_lidar));
+}
+
+void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
+                        MovingSystem& system) {
+  const double rate = 1 / prior.interval;
+  const Vector6d motion = rate * log(prior.T_map_last.inverse() * state.T_map_lidar);
+  const Vector6d change = rate * (motion - prior.last_motion);
+  const auto sigma = [&](double seen) {
+    return 0.5 * prior.interval * (options.velocity_slack + options.velocity_share * seen);
+  };
+  const Vector6d weights = variances_of(sigma(change.head<3>().norm()), sigma(change.tail<3>().norm())).cwiseInverse();
+  Eigen::Matrix<double, 6, 12> J;
+  J << -rate * Matrix6d::Identity(), Matrix6d::Identity();
+  const Eigen::Matrix<double, 12, 6> Jt = J.transpose() * weights.asDiagonal();
+  system.H += Jt * J;
+  system.b += Jt * (state.velocity - motion);
+}
+
+void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& options, const Matrix6d& lost,
+                      const MotionState& state, MovingSystem& system) {
+  const double change = prior.interval * options.steady_acceleration;
+  const Pose T_map_steady = retract(prior.T_map_last, prior.steady_velocity * prior.interval);
+  const auto add = [&](int at, double sigma, const Vector6d& residual) {
+    const Matrix6d Jt = lost.transpose() / (sigma * sigma);
+    system.H.block<6, 6>(at, at) += Jt * lost;
+    system.b.segment<6>(at) += Jt * (lost * residual);
+  };
+  add(0, steady_shift(prior, options), log(T_map_steady.inverse() * state.T_map_lidar));
+  add(6, change, state.velocity - prior.steady_velocity);
+}
+
+}  // namespace tilth

@@ -1,0 +1,50 @@
+// What is known of a motion before its scan: where it leads to, how sure that is, and what it adds to the normal
+// equations of the scan.
+#pragma once
+
+#include <tilth/core/scan_tremor.hpp>
+#include <tilth/registration/align_moving_options.hpp>
+#include <tilth/registration/moving_alignment.hpp>
+#include <tilth/registration/moving_system.hpp>
+
+namespace tilth {
+
+/// What is known before the scan. Instants are the middles of scans.
+struct MotionPrior {
+  Pose T_map_last = Pose::Identity();           ///< the last pose
+  Vector6d velocity = Vector6d::Zero();         ///< [rad/s, m/s] expected, in the LiDAR's frame
+  Vector6d last_motion = Vector6d::Zero();      ///< [rad/s, m/s] mean velocity between the last two poses
+  Vector6d steady_velocity = Vector6d::Zero();  ///< [rad/s, m/s] mean of about the last second
+  double interval = 0.0;                        ///< [s] since the last pose; > 0
+  TremorEvidence tremor = {};                   ///< of about the last two seconds
+  ScanTremor tremor_mean = {};                  ///< of about the last fifteen seconds
+  bool known = false;                           ///< false: nothing is known of the motion yet, only that it is steady
+};
+
+/// Where the velocity expected leads to.
+inline Pose predicted(const MotionPrior& prior) {
+  return retract(prior.T_map_last, prior.velocity * prior.interval);
+}
+
+/// [rad^2, m^2] of the pose predicted: by the accelerations that a robot is capable of.
+Vector6d pose_variances(const MotionPrior& prior, const AlignMovingOptions& options);
+
+/// [rad, m] standard deviation of a pose that goes on at the velocity of the last second.
+double steady_shift(const MotionPrior& prior, const AlignMovingOptions& options);
+
+/// What is known after a scan, for the next one; `interval` is still to be set.
+MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment);
+
+/// The pose is where the velocity expected leads to, give or take the accelerations that a robot is capable of.
+void add_pose_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
+                    MovingSystem& system);
+
+/// The velocity in the scan is the motion since the last scan, unless that itself has changed: then it may differ.
+void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
+                        MovingSystem& system);
+
+/// Of a motion x of the pose, `lost` * x goes on as it was in the last second.
+void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& options, const Matrix6d& lost,
+                      const MotionState& state, MovingSystem& system);
+
+}  // namespace tilth

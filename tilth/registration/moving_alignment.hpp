@@ -1,0 +1,24 @@
+// What the registration of a scan that was taken in motion finds.
+#pragma once
+
+#include <optional>
+
+#include <tilth/core/scan_tremor.hpp>
+#include <tilth/registration/align_result.hpp>
+
+namespace tilth {
+
+struct MovingAlignment {
+  AlignResult pose;                      ///< T_target_source is at `middle`
+  Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s] during the scan, in the LiDAR's frame
+  ScanTremor tremor = {};                ///< beside that velocity
+  TremorEvidence evidence = {};          ///< on the spread of tremors
+  /// [rad^2, m^2] of the pose at `middle` (right perturbation) if the surfaces were exact, with velocity and tremor
+  /// unknown; of the prior, from the last pose on, where the pairs gave none
+  Matrix6d covariance = Matrix6d::Zero();
+  /// * x is the part of a motion x of the pose that the surfaces say nothing about: there the motion goes on as it was
+  Matrix6d dead_reckoned = Matrix6d::Zero();
+  std::optional<double> surfaces_seen_at = {};  ///< [s] mean time of the surfaces' patches; none without a pose
+};
+
+}  // namespace tilth
