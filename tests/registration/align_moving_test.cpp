@@ -189,7 +189,7 @@ TEST(AlignMoving, AStepIsGaussNewtonsOnTheRobustCost) {
   MotionState after = state;
   after.kernel_width = width;
   MovingAlignment result;
-  ASSERT_TRUE(step_moving(pairs, {.T_map_last = kTruth, .interval = kPeriod}, free, after, result));
+  ASSERT_TRUE(step_moving(pairs, {{.T_map_last = kTruth, .interval = kPeriod}}, free, after, result));
   Vector12d step;
   step << log(kTruth.inverse() * after.T_map_lidar), after.velocity;
   EXPECT_LT((step - expected).norm(), 1e-4 * expected.norm());

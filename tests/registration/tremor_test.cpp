@@ -24,9 +24,7 @@ KnotMatrix vibrating() {
 
 /// Nothing known but the spread.
 TremorPrior prior_of(const TremorSpread& spread, const KnotMatrix& precision = kApart) {
-  TremorPrior prior = tremor_prior(spread, {}, {}, TremorOptions());
-  prior.precision = precision;
-  return prior;
+  return tremor_prior(spread, {}, {.precision = precision}, TremorOptions());
 }
 
 /// Pairs of flat patches all around, whose residuals are those of a LiDAR that deviates by `tremor`, and of noise [m].
@@ -256,8 +254,7 @@ TEST(Tremor, WhatStaysAtAnInstantIsTakenBack) {
       crooked.knots[0][5] = 2e-3;
       const MovingParts parts = linearize(pairs_of(crooked, 0.003, std::uint32_t(scan % 5)), state);
       const double share = share_of_mean(0.1);
-      TremorPrior prior = held ? tremor_prior(kSpread, mean, {share}, options) : prior_of(kSpread);
-      prior.precision = kApart;
+      const TremorPrior prior = held ? tremor_prior(kSpread, mean, {share}, options) : prior_of(kSpread);
       const TremblingSystem system = trembling_system(parts, with_weak_prior(sum_of(parts)), prior, state);
       Vector12d step;
       ScanTremor found;

@@ -85,25 +85,31 @@ double residual_scale(const PatchPairs& pairs, double error) {
 
 }  // namespace
 
-bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
-                 MotionState& state, MovingAlignment& result) {
+ScanPrior scan_prior(const MotionPrior& motion, double middle, const AlignMovingOptions& options) {
+  if (!motion.known || !(middle > 0)) return {motion};
+  const TremorSpread spread = tremor_spread(motion.tremor, options.tremor);
+  if (spread.none()) return {motion};
+  return {motion, spread, knot_precision(2 * middle, options.tremor)};
+}
+
+bool step_moving(const PatchPairs& pairs, const ScanPrior& prior, const AlignMovingOptions& options, MotionState& state,
+                 MovingAlignment& result) {
   Linearized at_state{.parts = linearize(pairs, state)};
   at_state.whole = sum_of(at_state.parts);
   ++result.pose.iterations;
   diagnose(at_state.whole.pose, options.degeneracy_ratio, result.pose);
   if (pairs.size() < std::size_t(options.min_matches)) return false;
-  add_priors(pairs, prior, options, state, at_state);
+  add_priors(pairs, prior.motion, options, state, at_state);
   const MovingSystem& system = at_state.whole;
   const double scale = residual_scale(pairs, result.pose.error);
-  const bool may_tremble = prior.known && narrow(state, options) && state.middle > 0;
-  const TremorSpread spread = may_tremble ? tremor_spread(prior.tremor, options.tremor) : TremorSpread();
-  const TremorPrior tremor =
-      tremor_prior(spread, prior.tremor_mean, {share_of_mean(prior.interval), scale, 2 * state.middle}, options.tremor);
+  TremorPrior tremor;
   std::optional<TremblingFactor> trembling;
   Vector12d step;
-  if (spread.none()) {
+  if (prior.spread.none() || !narrow(state, options)) {
     if (!step_steady(system, step)) return false;
   } else {
+    const TremblingScan scan{share_of_mean(prior.motion.interval), scale, prior.knots};
+    tremor = tremor_prior(prior.spread, prior.motion.tremor_mean, scan, options.tremor);
     const TremblingSystem whole = trembling_system(at_state.parts, system, tremor, state);
     trembling.emplace(whole.H);
     if (!step_trembling(whole, *trembling, step, state.tremor)) return false;
@@ -116,7 +122,7 @@ bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignM
   if (trembling) result.evidence = evidence_of(*trembling, tremor, state.tremor);
   const Matrix6d covariance =
       trembling ? covariance_in_middle(*trembling) : Matrix6d(system.H.inverse().topLeftCorner<6, 6>());
-  const Matrix6d astray = steady_shift(prior, options) * at_state.lost;  // no residual tells of it
+  const Matrix6d astray = steady_shift(prior.motion, options) * at_state.lost;  // no residual tells of it
   result.covariance = scale * covariance + astray * astray.transpose();
   result.dead_reckoned = at_state.lost;
   result.surfaces_seen_at = pairs.seen_at_sum / double(pairs.size());

@@ -6,13 +6,24 @@
 
 #include <tilth/registration/motion_prior.hpp>
 #include <tilth/registration/patch_pairs.hpp>
+#include <tilth/registration/tremor.hpp>
 
 namespace tilth {
 
+/// What is known before a scan, for all of its steps.
+struct ScanPrior {
+  MotionPrior motion;
+  TremorSpread spread = {};                   ///< none: no tremor is estimated
+  KnotMatrix knots = KnotMatrix::Identity();  ///< precision of the tremor's knots, where there is one
+};
+
+/// Of a scan whose middle is `middle` [s] after its stamp.
+ScanPrior scan_prior(const MotionPrior& motion, double middle, const AlignMovingOptions& options);
+
 /// One step of `state` on `pairs` and the prior, with the diagnosis of the pairs; false where there are too few pairs
 /// or no solution.
-bool step_moving(const PatchPairs& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
-                 MotionState& state, MovingAlignment& result);
+bool step_moving(const PatchPairs& pairs, const ScanPrior& prior, const AlignMovingOptions& options, MotionState& state,
+                 MovingAlignment& result);
 
 /// The state at which the patches agree with the target, and the prior. Pairs are made anew in every iteration; the
 /// kernel narrows from first_kernel_width to kernel_width (graduated non-convexity, Yang et al. 2020). Too few pairs:
@@ -26,10 +37,11 @@ MovingAlignment align_moving(const SurfacePatches& patches, double middle, const
                          .velocity = state.velocity,
                          .covariance = pose_variances(prior, options).asDiagonal()};
   result.pose.candidates = patches.size();
+  const ScanPrior before = scan_prior(prior, middle, options);
   PatchMatching matching;
   while (result.pose.iterations < options.max_iterations && !result.pose.converged) {
     associate_patches(patches, state, target, options, matching);
-    if (!step_moving(matching.pairs, prior, options, state, result)) return result;
+    if (!step_moving(matching.pairs, before, options, state, result)) return result;
     result.pose.converged &= state.kernel_width <= options.kernel_width;
     state.kernel_width = std::max(options.kernel_width, state.kernel_width / 2);
   }

@@ -80,7 +80,7 @@ TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, con
                          const TremorOptions& options) {
   const double pull = 2 / (options.mean * options.mean), narrowing = 1 + pull * scan.share;
   TremorPrior prior;
-  prior.precision = knot_precision(scan.duration, options);
+  prior.precision = scan.precision;
   prior.spread_variances = spread.variances() / scan.scale;
   prior.variances = prior.spread_variances / narrowing;
   for (std::size_t i = 0; i < mean.knots.size(); ++i)

@@ -53,9 +53,9 @@ struct TremorPrior {
 
 /// What the prior of a tremor depends on, beside what was seen of others.
 struct TremblingScan {
-  double share = 0.0;     ///< weight of the scan in the mean of tremors
-  double scale = 1.0;     ///< of the residuals: squares over the variances that their pairs promise
-  double duration = 0.1;  ///< [s]
+  double share = 0.0;  ///< weight of the scan in the mean of tremors
+  double scale = 1.0;  ///< of the residuals: squares over the variances that their pairs promise
+  KnotMatrix precision = KnotMatrix::Identity();  ///< of knots of variance 1
 };
 
 /// A tremor goes to and fro. One that stayed at an instant of the scan, from scan to scan, would let the part of the
