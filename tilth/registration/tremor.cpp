@@ -155,7 +155,7 @@ TremorEvidence evidence_of(const TremblingFactor& factor, const TremorPrior& pri
   Vector6d squares = Vector6d::Zero(), unknown = Vector6d::Zero();
   for (int i = 0; i <= kIntervals; ++i) {
     for (int j = 0; j <= kIntervals; ++j) {
-      const auto covariance =  // C = L^-T L^-1
+      const Vector6d covariance =  // C = L^-T L^-1
           root.middleCols<6>(place_of(i)).cwiseProduct(root.middleCols<6>(place_of(j))).colwise().sum().transpose();
       squares += prior.precision(i, j) * tremor.knots[std::size_t(i)].cwiseProduct(tremor.knots[std::size_t(j)]);
       unknown += prior.precision(i, j) * covariance.cwiseQuotient(prior.spread_variances);
