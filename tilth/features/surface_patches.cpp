@@ -81,10 +81,9 @@ class RingFitter {
   }
 
   static void take_if_flatter(Fit& fit, const PlaneShape& shape) {
-    constexpr double kFlat = 9, kLeastWidth = 4e-4;  // of variances; [m^2]
-    const Eigen::Vector3d& variances = shape.variances;
-    if (variances[0] > fit.least || variances[1] < std::max(kFlat * variances[0], kLeastWidth)) return;
-    fit.least = variances[0];
+    constexpr double kLeastWidth = 4e-4;  // [m^2]
+    if (!is_flat(shape.variances, fit.least) || shape.variances[1] < kLeastWidth) return;
+    fit.least = shape.variances[0];
     fit.covariance = shape.covariance;
     fit.flat = fit.shaped = true;
   }

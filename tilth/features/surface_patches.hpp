@@ -3,6 +3,7 @@
 // surface: only runs of neighbouring beams that lie in one plane make a patch with a normal. O(n).
 #pragma once
 
+#include <tilth/core/flatness.hpp>
 #include <tilth/core/surface_patch.hpp>
 #include <tilth/features/ring_segments.hpp>
 
@@ -10,7 +11,7 @@ namespace tilth {
 
 struct PatchOptions {
   SegmentOptions segments;
-  double max_thickness = 0.04;
+  double max_thickness = kFlatThickness;
   double max_gap = 0.3;
   double max_gap_share = 0.06;
   double pole_width = 0.6;

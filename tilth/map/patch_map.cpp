@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include <tilth/core/flatness.hpp>
 #include <tilth/core/least_spread.hpp>
 #include <tilth/core/rotated_covariance.hpp>
 #include <tilth/map/patch_map.hpp>
@@ -15,9 +16,6 @@ namespace {
 
 // Surfaces are known along their normal only: this variance stands for "anywhere in the voxel" along them [m^2].
 constexpr double kAlongSurface = 1.0;
-
-// A plane is at most so thick, and so many times as wide: the bounds of a flat patch, of variances [m^2].
-constexpr double kMostThickness = 1.6e-3, kFlat = 9;
 
 // Shares by which a Gaussian's patches grow before it is made anew.
 constexpr double kStale = 1.1;
@@ -114,7 +112,7 @@ void PatchMap::refresh(const Sums& sums, MapSurface& surface) const {
   surface.normal = normal.dot(sums.normals) < 0 ? Eigen::Vector3d(-normal) : normal;
   surface.variance = std::max(least, options_.surface_variance);
   surface.planar = surface.flat || (surface.patches >= std::uint32_t(options_.planar_patches) &&
-                                    least < kMostThickness && variances[1] > kFlat * least);
+                                    is_flat(variances, kFlatThickness * kFlatThickness));
   surface.covariance = surface.flat ? Eigen::Matrix3d(kAlongSurface * Eigen::Matrix3d::Identity() +
                                                       (surface.variance - kAlongSurface) * normal * normal.transpose())
                                     : Eigen::Matrix3d(covariance + options_.blur * Eigen::Matrix3d::Identity());
