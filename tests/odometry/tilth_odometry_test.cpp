@@ -2,6 +2,7 @@
 #include <functional>
 #include <random>
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -59,6 +60,18 @@ TEST(TilthOdometry, FollowsADriveOfTwoMetresASecond) {
   const Outcome outcome = drive({"plaza_fast", 100, 45});
   EXPECT_LT(outcome.worst, 0.05);
   EXPECT_LT(outcome.worst_turn, 0.01);
+}
+
+TEST(TilthOdometry, TheFirstPoseIsExactAndNoOtherIs) {
+  const Simulator simulator("corridor", simulation_options("corridor", {{"seed", "7"}}));
+  const auto odometry = make_odometry("tilth", {});
+  const Matrix6d first = odometry->register_scan(simulator.scan(100).scan).covariance.value();
+  EXPECT_TRUE(first.isZero(0)) << "in its own frame";
+  for (std::size_t i = 101; i < 104; ++i) {
+    const Matrix6d later = odometry->register_scan(simulator.scan(i).scan).covariance.value();
+    EXPECT_GT(later.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0) << i;
+    EXPECT_GT(later.diagonal().head<2>().minCoeff(), 1e-8) << "by the tremor of the first scan, at least";
+  }
 }
 
 TEST(TilthOdometry, BeginsInTheMiddleOfADrive) {

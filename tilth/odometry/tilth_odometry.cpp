@@ -79,6 +79,7 @@ Matrix6d TilthOdometry::covariance_of(const MovingAlignment& alignment, double t
                         .covariance = options_.covariance_scale * alignment.covariance,
                         .surfaces_seen_at = alignment.surfaces_seen_at.value_or(last_middle_ - begin_),
                         .dead_reckoned = alignment.dead_reckoned});
+  if (is_first(alignment)) return since_first;
   // Nothing tells of the tremor of the first scan, whose pose all others are seen from.
   const Vector6d first = seen_spread(motion_.tremor, options_.align.tremor).variances();
   const Matrix6d to_lidar = adjoint(T_map_lidar.inverse());
@@ -86,13 +87,13 @@ Matrix6d TilthOdometry::covariance_of(const MovingAlignment& alignment, double t
 }
 
 void TilthOdometry::insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment) {
-  const bool is_first = registered_ == 0 && alignment.pose.converged;
-  if (is_first) {
+  const bool first = is_first(alignment);
+  if (first) {
     first_patches_ = patches;
     first_middle_ = middle;
   }
   motion_ = next(motion_, alignment);
-  if (!is_first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
+  if (!first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
   const Pose& T_map_middle = alignment.pose.T_target_source;
   map_.insert(deskew(patches, alignment.velocity, middle, alignment.tremor), T_map_middle, last_middle_ - begin_);
   map_.crop(T_map_middle.translation());

@@ -50,6 +50,8 @@ class TilthOdometry : public Odometry {
  private:
   MovingAlignment register_patches(const SurfacePatches& patches, double middle);
   Matrix6d covariance_of(const MovingAlignment& alignment, double time);
+  /// Whether the world is the LiDAR in the scan of this alignment, which is not in the map yet.
+  bool is_first(const MovingAlignment& alignment) const { return registered_ == 0 && alignment.pose.converged; }
   void insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment);
 
   TilthOptions options_;
