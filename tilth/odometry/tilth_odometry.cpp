@@ -16,6 +16,12 @@ SurfacePatches evenly(const SurfacePatches& patches, std::size_t most) {
   return chosen;
 }
 
+/// The pose at `pose_at` of a scan of which the alignment tells.
+Pose pose_in_scan(const MovingAlignment& alignment, double pose_at, double scan_duration) {
+  return alignment.pose.T_target_source * exp(alignment.tremor.at(pose_at)) *
+         exp(alignment.velocity * ((pose_at - 0.5) * scan_duration));
+}
+
 }  // namespace
 
 OdometryResult TilthOdometry::register_scan(const Scan& scan) {
@@ -33,37 +39,42 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   begin_stage("registration");
   const double scan_duration = duration(cloud), middle = 0.5 * scan_duration;
   motion_.interval = registered_ > 0 ? scan.stamp + middle - last_middle_ : 0.0;
-  const MovingAlignment alignment = register_patches(evenly(patches, std::size_t(options_.max_patches)), middle);
+  const MovingAlignment alignment = register_patches(patches, middle);
   begin_stage("map");
   if (registered_ == 0) begin_ = scan.stamp + middle;
   result.covariance = covariance_of(alignment, scan.stamp + middle - begin_);
   last_middle_ = scan.stamp + middle;
   insert(patches, middle, alignment);
+  if (!settled_ && registered_ >= 2 && last_middle_ - begin_ >= options_.settle_after) settle();
 
   result.alignment = alignment.pose;
+  result.alignment.T_target_source = T_world_map_ * alignment.pose.T_target_source;
   result.velocity = alignment.velocity;
   result.stamp = scan.stamp + options_.pose_at * scan_duration;
-  const double since_middle = (options_.pose_at - 0.5) * scan_duration;
-  result.T_world_lidar = alignment.pose.T_target_source * exp(alignment.tremor.at(options_.pose_at)) *
-                         exp(alignment.velocity * since_middle);
+  result.T_world_lidar = T_world_map_ * pose_in_scan(alignment, options_.pose_at, scan_duration);
   const auto flat = std::count_if(patches.begin(), patches.end(), [](const SurfacePatch& p) { return p.flat; });
   result.counts = {cloud.size(), cloud.size() - result.filtered.size(), patches.size() - std::size_t(flat),
                    std::size_t(flat)};
   return result;
 }
 
-MovingAlignment TilthOdometry::register_patches(const SurfacePatches& patches, double middle) {
+MovingAlignment TilthOdometry::align_to_map(const SurfacePatches& patches, double middle,
+                                            const MotionPrior& prior) const {
   const auto in_map = [this](const Eigen::Vector3d& p, const Eigen::Vector3d& n, bool flat) {
     return map_.find(p, n, flat);
   };
+  return align_moving(evenly(patches, std::size_t(options_.max_patches)), middle, prior, in_map, options_.align);
+}
+
+MovingAlignment TilthOdometry::register_patches(const SurfacePatches& patches, double middle) {
   const bool enough = patches.size() >= std::size_t(options_.align.min_matches);
   if (registered_ == 0 && enough) return {.pose = {.converged = true, .candidates = patches.size()}};
-  if (registered_ != 1) return align_moving(patches, middle, motion_, in_map, options_.align);
+  if (registered_ != 1) return align_to_map(patches, middle, motion_);
   // The second scan tells how the sensor moved in the first one, which then is straightened anew.
   constexpr int kRounds = 4;
   MovingAlignment alignment;
   for (int round = 0; round < kRounds; ++round) {
-    alignment = align_moving(patches, middle, motion_, in_map, options_.align);
+    alignment = align_to_map(patches, middle, motion_);
     motion_.velocity = alignment.velocity;
     map_ = PatchMap(options_.map);
     map_.insert(deskew(first_patches_, alignment.velocity, first_middle_), motion_.T_map_last);
@@ -80,7 +91,7 @@ Matrix6d TilthOdometry::covariance_of(const MovingAlignment& alignment, double t
                         .surfaces_seen_at = alignment.surfaces_seen_at.value_or(last_middle_ - begin_),
                         .dead_reckoned = alignment.dead_reckoned});
   if (is_first(alignment)) return since_first;
-  // Nothing tells of the tremor of the first scan, whose pose all others are seen from.
+  // Hardly anything tells of the tremor of the first scan, whose pose all others are seen from.
   const Vector6d first = seen_spread(motion_.tremor, options_.align.tremor).variances();
   const Matrix6d to_lidar = adjoint(T_map_lidar.inverse());
   return since_first + to_lidar * first.asDiagonal() * to_lidar.transpose();
@@ -97,12 +108,22 @@ void TilthOdometry::insert(const SurfacePatches& patches, double middle, const M
   const Pose& T_map_middle = alignment.pose.T_target_source;
   map_.insert(deskew(patches, alignment.velocity, middle, alignment.tremor), T_map_middle, last_middle_ - begin_);
   map_.crop(T_map_middle.translation());
-  ++registered_;
+  if (++registered_ != 2) return;
+  first_motion_ = motion_;
+  first_motion_.interval = begin_ - last_middle_;
+}
+
+void TilthOdometry::settle() {
+  settled_ = true;
+  MotionPrior prior = first_motion_;
+  prior.tremor = motion_.tremor;
+  const MovingAlignment first = align_to_map(first_patches_, first_middle_, prior);
+  if (first.pose.converged) T_world_map_ = pose_in_scan(first, options_.pose_at, 2 * first_middle_).inverse();
 }
 
 PointCloud TilthOdometry::local_map() const {
   PointCloud map_in_world;
-  map_in_world.points = map_.means();
+  for (const Eigen::Vector3d& mean : map_.means()) map_in_world.points.push_back(T_world_map_ * mean);
   return map_in_world;
 }
 

@@ -16,12 +16,13 @@ struct TilthOptions {
   double min_range = 0.5;
   double max_range = 100.0;
   double pose_at = 0.5;
+  double settle_after = 4.0;
   double covariance_scale = 1.0;
   int max_patches = 1500;
   RingSupportOptions outliers;
   PatchOptions patches;
   AlignMovingOptions align;
-  PatchMapOptions map;
+  PatchMapOptions map{.voxel_size = 0.3};
 };
 
 template <class V>
@@ -29,6 +30,9 @@ void visit(TilthOptions& o, V&& v) {
   v("min_range", o.min_range, Bounds{0, 1e4}, "[m] nearer points are dropped");
   v("max_range", o.max_range, Bounds{0.1, 1e4}, "[m] farther points are dropped");
   v("pose_at", o.pose_at, Bounds{0, 1}, "[-] instant of the pose within the scan: 0 its first point, 1 its last one");
+  v("settle_after", o.settle_after, Bounds{0, 1e9},
+    "[s] the world is the LiDAR in its first scan: so long after it, that scan is registered to the map that has grown "
+    "since, and the world laid where it is found");
   v("covariance_scale", o.covariance_scale, Bounds{1e-6, 1e6},
     "[-] of the poses' covariances: what residuals and surfaces do not show");
   v("max_patches", o.max_patches, Bounds{100, 1e9},
@@ -48,11 +52,14 @@ class TilthOdometry : public Odometry {
   PointCloud local_map() const override;
 
  private:
+  MovingAlignment align_to_map(const SurfacePatches& patches, double middle, const MotionPrior& prior) const;
   MovingAlignment register_patches(const SurfacePatches& patches, double middle);
   Matrix6d covariance_of(const MovingAlignment& alignment, double time);
   /// Whether the world is the LiDAR in the scan of this alignment, which is not in the map yet.
   bool is_first(const MovingAlignment& alignment) const { return registered_ == 0 && alignment.pose.converged; }
   void insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment);
+  /// Lays the world where the first scan is in the map of now.
+  void settle();
 
   TilthOptions options_;
   RingLayout rings_;  // of the scan
@@ -63,6 +70,9 @@ class TilthOdometry : public Odometry {
   SurfacePatches first_patches_;
   double first_middle_ = 0.0;  // [s] since the stamp of the first scan
   double begin_ = 0.0;         // [s] middle of the first scan
+  MotionPrior first_motion_;   // of the first scan, from the second one back
+  Pose T_world_map_ = Pose::Identity();
+  bool settled_ = false;  // until then the world is the map's frame
   PoseUncertainty uncertainty_;
 };
 

@@ -108,7 +108,7 @@ bool step_moving(const PatchPairs& pairs, const ScanPrior& prior, const AlignMov
   if (prior.spread.none() || !narrow(state, options)) {
     if (!step_steady(system, step)) return false;
   } else {
-    const TremblingScan scan{share_of_mean(prior.motion.interval), scale, prior.knots};
+    const TremblingScan scan{share_of_mean(std::abs(prior.motion.interval)), scale, prior.knots};
     tremor = tremor_prior(prior.spread, prior.motion.tremor_mean, scan, options.tremor);
     const TremblingSystem whole = trembling_system(at_state.parts, system, tremor, state);
     trembling.emplace(whole.H);

@@ -15,7 +15,7 @@ struct AlignMovingOptions {
   double min_cosine = 0.8;
   double spread_share = 0.1;
   double surface_share = 0.3;
-  double surface_doubt = 5.0;
+  double surface_doubt = 10.0;
   double patch_variance = 7e-5;
   double first_kernel_width = 10.0;
   double kernel_width = 2.0;

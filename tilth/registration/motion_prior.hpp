@@ -15,7 +15,7 @@ struct MotionPrior {
   Vector6d velocity = Vector6d::Zero();         ///< [rad/s, m/s] expected, in the LiDAR's frame
   Vector6d last_motion = Vector6d::Zero();      ///< [rad/s, m/s] mean velocity between the last two poses
   Vector6d steady_velocity = Vector6d::Zero();  ///< [rad/s, m/s] mean of about the last second
-  double interval = 0.0;                        ///< [s] since the last pose; > 0
+  double interval = 0.0;                        ///< [s] since the last pose; below 0 where that came after
   TremorEvidence tremor = {};                   ///< of about the last two seconds
   ScanTremor tremor_mean = {};                  ///< of about the last fifteen seconds
   bool known = false;                           ///< false: nothing is known of the motion yet, only that it is steady
