@@ -74,6 +74,33 @@ TEST(TilthOdometry, TheFirstPoseIsExactAndNoOtherIs) {
   }
 }
 
+// [rad] of the turn that the last second of six has on average in the frame of the first pose, which then shook.
+double lasting_turn(const Simulator& simulator, const std::string& settle_after, std::size_t first) {
+  const auto odometry = make_odometry("tilth", {{"settle_after", settle_after}});
+  Pose T_truth_world;
+  Eigen::Vector3d turns = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < 60; ++i) {
+    const OdometryResult result = odometry->register_scan(simulator.scan(first + i).scan);
+    const Pose T_truth = interpolate(simulator.truth(), result.stamp);
+    if (i == 0) T_truth_world = T_truth * result.T_world_lidar.inverse();
+    if (i >= 50) turns += log(T_truth_world * result.T_world_lidar * T_truth.inverse()).head<3>();
+  }
+  return turns.norm() / 10;
+}
+
+TEST(TilthOdometry, TheWorldSettlesWhereTheFirstScanIs) {
+  double settled = 0, unsettled = 0;
+  for (const std::string seed : {"8", "12"}) {
+    const Simulator simulator("corridor_rough", simulation_options("corridor_rough", {{"seed", seed}}));
+    for (const std::size_t first : {55, 140}) {
+      settled += lasting_turn(simulator, "4", first);
+      unsettled += lasting_turn(simulator, "1e6", first);
+    }
+  }
+  EXPECT_GT(unsettled, 0.02) << "or else the platform does not shake";
+  EXPECT_LT(settled, 0.5 * unsettled);
+}
+
 TEST(TilthOdometry, BeginsInTheMiddleOfADrive) {
   EXPECT_LT(drive({"corridor", 150, 30}).worst, 0.03);
 }
