@@ -17,7 +17,7 @@ struct TilthOptions {
   double max_range = 100.0;
   double pose_at = 0.5;
   double settle_after = 4.0;
-  double covariance_scale = 1.0;
+  double covariance_scale = 0.5;
   int max_patches = 1500;
   RingSupportOptions outliers;
   PatchOptions patches;
