@@ -45,7 +45,7 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   result.covariance = covariance_of(alignment, scan.stamp + middle - begin_);
   last_middle_ = scan.stamp + middle;
   insert(patches, middle, alignment);
-  if (!settled_ && registered_ >= 2 && last_middle_ - begin_ >= options_.settle_after) settle();
+  if (first_ && registered_ >= 2 && last_middle_ - begin_ >= options_.settle_after) settle();
 
   result.alignment = alignment.pose;
   result.alignment.T_target_source = T_world_map_ * alignment.pose.T_target_source;
@@ -77,7 +77,7 @@ MovingAlignment TilthOdometry::register_patches(const SurfacePatches& patches, d
     alignment = align_to_map(patches, middle, motion_);
     motion_.velocity = alignment.velocity;
     map_ = PatchMap(options_.map);
-    map_.insert(deskew(first_patches_, alignment.velocity, first_middle_), motion_.T_map_last);
+    map_.insert(deskew(first_->patches, alignment.velocity, first_->middle), motion_.T_map_last);
   }
   return alignment;
 }
@@ -99,32 +99,28 @@ Matrix6d TilthOdometry::covariance_of(const MovingAlignment& alignment, double t
 
 void TilthOdometry::insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment) {
   const bool first = is_first(alignment);
-  if (first) {
-    first_patches_ = patches;
-    first_middle_ = middle;
-  }
+  if (first) first_ = {patches, middle};
   motion_ = next(motion_, alignment);
   if (!first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
   const Pose& T_map_middle = alignment.pose.T_target_source;
   map_.insert(deskew(patches, alignment.velocity, middle, alignment.tremor), T_map_middle, last_middle_ - begin_);
   map_.crop(T_map_middle.translation());
   if (++registered_ != 2) return;
-  first_motion_ = motion_;
-  first_motion_.interval = begin_ - last_middle_;
+  first_->motion = motion_;
+  first_->motion.interval = begin_ - last_middle_;
 }
 
 void TilthOdometry::settle() {
-  settled_ = true;
-  MotionPrior prior = first_motion_;
-  prior.tremor = motion_.tremor;
-  const MovingAlignment first = align_to_map(first_patches_, first_middle_, prior);
-  if (first.pose.converged) T_world_map_ = pose_in_scan(first, options_.pose_at, 2 * first_middle_).inverse();
+  first_->motion.tremor = motion_.tremor;
+  const MovingAlignment first = align_to_map(first_->patches, first_->middle, first_->motion);
+  if (first.pose.converged) T_world_map_ = pose_in_scan(first, options_.pose_at, 2 * first_->middle).inverse();
+  first_.reset();
 }
 
 PointCloud TilthOdometry::local_map() const {
-  PointCloud map_in_world;
-  for (const Eigen::Vector3d& mean : map_.means()) map_in_world.points.push_back(T_world_map_ * mean);
-  return map_in_world;
+  PointCloud map;
+  map.points = map_.means();
+  return transform(map, T_world_map_);
 }
 
 }  // namespace tilth

@@ -2,6 +2,8 @@
 // face, and pose and velocity estimated together.
 #pragma once
 
+#include <optional>
+
 #include <tilth/features/surface_patches.hpp>
 #include <tilth/map/patch_map.hpp>
 #include <tilth/odometry/odometry.hpp>
@@ -61,18 +63,21 @@ class TilthOdometry : public Odometry {
   /// Lays the world where the first scan is in the map of now.
   void settle();
 
+  struct FirstScan {
+    SurfacePatches patches;
+    double middle;            ///< [s] since its stamp
+    MotionPrior motion = {};  ///< from the second scan back; known once that is in the map
+  };
+
   TilthOptions options_;
   RingLayout rings_;  // of the scan
   PatchMap map_;
   MotionPrior motion_;
-  double last_middle_ = 0.0;    // [s] of the last scan
-  std::size_t registered_ = 0;  // scans in the map
-  SurfacePatches first_patches_;
-  double first_middle_ = 0.0;  // [s] since the stamp of the first scan
-  double begin_ = 0.0;         // [s] middle of the first scan
-  MotionPrior first_motion_;   // of the first scan, from the second one back
+  double last_middle_ = 0.0;        // [s] of the last scan
+  std::size_t registered_ = 0;      // scans in the map
+  double begin_ = 0.0;              // [s] middle of the first scan
+  std::optional<FirstScan> first_;  // until the world is settled, which until then is the map's frame
   Pose T_world_map_ = Pose::Identity();
-  bool settled_ = false;  // until then the world is the map's frame
   PoseUncertainty uncertainty_;
 };
 
