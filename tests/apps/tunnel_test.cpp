@@ -49,8 +49,8 @@ TEST(Tunnel, IsCrossedByTheMotionBeforeItAndReported) {
     const Pose error = interpolate(truth, pose.stamp).inverse() * T_truth_world * pose.T_world_lidar;
     ASSERT_LT(std::abs(error.translation().x()), 0.05 * kBlind) << pose.stamp;
     ASSERT_LT(std::abs(error.translation().y()), 0.01) << pose.stamp;
-    ASSERT_LT(std::abs(error.translation().z()), 0.1) << pose.stamp;
-    ASSERT_LT(angle_of(error), 0.2 * M_PI / 180) << pose.stamp;
+    ASSERT_LT(std::abs(error.translation().z()), 0.02) << pose.stamp;
+    ASSERT_LT(angle_of(error), 0.1 * M_PI / 180) << pose.stamp;
   }
 }
 

@@ -1,4 +1,5 @@
 // Patches of made-up scans of 16 beams, of which every surface is known.
+#include <array>
 #include <numeric>
 
 #include <Eigen/Eigenvalues>
@@ -125,6 +126,37 @@ TEST(SurfacePatches, NoneCutsTheCornerOfARoom) {
       EXPECT_LT(slant.back(), 25);  // a run that only just reaches round the corner
       EXPECT_LT(slant[slant.size() * 98 / 100], 7);
     }
+  }
+}
+
+// In a passage the last beams on the floor and the first ones on the wall are a few centimetres apart, and as thin
+// together as a noisy plane: a run of the one would pass for a piece of the other.
+TEST(SurfacePatches, LieOnTheSurfaceThatTheyFaceAs) {
+  const auto near = [](const Eigen::Vector3d& p) { return p.norm() < 8; };
+  const std::array<std::pair<Eigen::Vector3d, double>, 4> walls{
+      {{kUp, 0.8}, {-kUp, 1.7}, {kRight, 1.5}, {-kRight, 1.5}}};
+  cast::Surfaces passage;
+  for (const auto& [normal, distance] : walls) passage.push_back(plane(normal, distance, near));
+  const auto astray = [&](double max_misfit, double noise) {
+    PatchOptions options;
+    options.max_misfit = max_misfit;
+    std::size_t count = 0, all = 0;
+    for (const SurfacePatch& patch : surface_patches(scan(passage, {noise}), options)) {
+      if (!patch.flat) continue;
+      const auto faced = std::max_element(walls.begin(), walls.end(), [&](const auto& a, const auto& b) {
+        return a.first.dot(patch.normal) < b.first.dot(patch.normal);
+      });
+      count += std::abs(faced->first.dot(patch.mean) + faced->second) > 0.015 + noise;
+      ++all;
+    }
+    return std::pair(double(count), double(all));
+  };
+  for (const double noise : {0.0, 0.01, 0.02}) {
+    SCOPED_TRACE(noise);
+    const auto [believed, all] = astray(1e6, noise);
+    const auto [left, kept] = astray(2, noise);
+    EXPECT_LT(left, 0.3 * believed);
+    EXPECT_GT(kept, 0.9 * all);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <tilth/core/least_spread.hpp>
 #include <tilth/features/joined_shapes.hpp>
+#include <tilth/features/plane_misfit.hpp>
 #include <tilth/features/run_columns.hpp>
 #include <tilth/features/surface_patches.hpp>
 
@@ -70,19 +71,32 @@ class RingFitter {
     sets_.push_back({moments(a), moments(b), moments(c)});
   }
 
-  // Calls visit(fit, shape) for all that was asked.
+  // Calls visit(fit, set, shape) for all that was asked.
   template <class Visit>
   void answer(const Visit& visit) {
     shapes_.resize(sets_.size());
     join_runs(sets_, shapes_);
-    for (std::size_t i = 0; i < sets_.size(); ++i) visit(fits_[runs_[i]], shapes_[i]);
+    for (std::size_t i = 0; i < sets_.size(); ++i) visit(fits_[runs_[i]], sets_[i], shapes_[i]);
     sets_.clear();
     runs_.clear();
   }
 
-  static void take_if_flatter(Fit& fit, const PlaneShape& shape) {
-    constexpr double kLeastWidth = 4e-4;  // [m^2]
-    if (!is_flat(shape.variances, fit.least) || shape.variances[1] < kLeastWidth) return;
+  // Two lines are always in one plane.
+  bool one_plane(const RunSet& set, const PlaneShape& shape) const {
+    if (set[2] == nullptr) return true;
+    const Eigen::Vector3d normal = direction_of_least(symmetric(shape.covariance), shape.variances[0]);
+    return is_one_plane(plane_misfit(set, normal), options_.max_misfit, options_.roughness);
+  }
+
+  void take_flatter_planes() {
+    answer([this](Fit& fit, const RunSet& set, const PlaneShape& shape) {
+      constexpr double kLeastWidth = 4e-4;  // [m^2]
+      if (!is_flat(shape.variances, fit.least) || shape.variances[1] < kLeastWidth) return;
+      if (one_plane(set, shape)) take(fit, shape);
+    });
+  }
+
+  static void take(Fit& fit, const PlaneShape& shape) {
     fit.least = shape.variances[0];
     fit.covariance = shape.covariance;
     fit.flat = fit.shaped = true;
@@ -97,7 +111,7 @@ class RingFitter {
       const Column& c = columns_[i];
       if (c[lowest] && c[lowest + 1] && c[lowest + 2]) ask(i, c[lowest], c[lowest + 1], c[lowest + 2]);
     }
-    answer(take_if_flatter);
+    take_flatter_planes();
   }
 
   // A run and the one below or above, where no three lie in a plane.
@@ -110,7 +124,7 @@ class RingFitter {
         if (is_within(reach, c[other], *c[kSelf])) ask(i, c[kSelf], c[other], nullptr);
       }
     }
-    answer(take_if_flatter);
+    take_flatter_planes();
   }
 
   // What is no plane has the shape of the run and those near it.
@@ -122,7 +136,7 @@ class RingFitter {
       const bool below = is_within(reach, c[kBelow], *c[kSelf]), above = is_within(reach, c[kAbove], *c[kSelf]);
       if (below || above) ask(i, c[kSelf], below ? c[kBelow] : nullptr, above ? c[kAbove] : nullptr);
     }
-    answer([](Fit& fit, const PlaneShape& shape) {
+    answer([](Fit& fit, const RunSet&, const PlaneShape& shape) {
       fit.least = shape.variances[0];
       fit.covariance = shape.covariance;
       fit.shaped = true;

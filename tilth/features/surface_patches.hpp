@@ -12,6 +12,8 @@ namespace tilth {
 struct PatchOptions {
   SegmentOptions segments;
   double max_thickness = kFlatThickness;
+  double max_misfit = 1e6;
+  double roughness = 0.002;
   double max_gap = 0.3;
   double max_gap_share = 0.06;
   double pole_width = 0.6;
@@ -21,6 +23,10 @@ template <class V>
 void visit(PatchOptions& o, V&& v) {
   v("segments", o.segments, "[-] the runs of each beam");
   v("max_thickness", o.max_thickness, Bounds{0.001, 1}, "[m] standard deviation from the plane of a flat patch");
+  v("max_misfit", o.max_misfit, Bounds{0, 1e9},
+    "[sigma] by which three runs may miss their plane together, as the points of each scatter about it: more is a "
+    "corner, not a plane");
+  v("roughness", o.roughness, Bounds{0, 1}, "[m] that they may miss it by in addition");
   v("max_gap", o.max_gap, Bounds{0.01, 10},
     "[m] between two beams that make a patch where there is no third in the same plane, at least");
   v("max_gap_share", o.max_gap_share, Bounds{0, 1}, "[-] the same as a share of the range");

@@ -22,7 +22,7 @@ struct TilthOptions {
   double covariance_scale = 0.5;
   int max_patches = 1500;
   RingSupportOptions outliers;
-  PatchOptions patches;
+  PatchOptions patches{.max_misfit = 2.0};
   AlignMovingOptions align;
   PatchMapOptions map{.voxel_size = 0.3};
 };
