@@ -103,7 +103,8 @@ void TilthOdometry::insert(const SurfacePatches& patches, double middle, const M
   motion_ = next(motion_, alignment);
   if (!first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
   const Pose& T_map_middle = alignment.pose.T_target_source;
-  map_.insert(deskew(patches, alignment.velocity, middle, alignment.tremor), T_map_middle, last_middle_ - begin_);
+  const ScanTremor tremor = without(alignment.tremor, motion_.tremor_mean);
+  map_.insert(deskew(patches, alignment.velocity, middle, tremor), T_map_middle, last_middle_ - begin_);
   map_.crop(T_map_middle.translation());
   if (++registered_ != 2) return;
   first_->motion = motion_;

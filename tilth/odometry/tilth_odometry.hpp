@@ -19,7 +19,7 @@ struct TilthOptions {
   double max_range = 100.0;
   double pose_at = 0.5;
   double settle_after = 4.0;
-  double covariance_scale = 0.5;
+  double covariance_scale = 0.3;
   int max_patches = 1500;
   RingSupportOptions outliers;
   PatchOptions patches{.max_misfit = 2.0};

@@ -17,7 +17,7 @@ struct MotionPrior {
   Vector6d steady_velocity = Vector6d::Zero();  ///< [rad/s, m/s] mean of about the last second
   double interval = 0.0;                        ///< [s] since the last pose; below 0 where that came after
   TremorEvidence tremor = {};                   ///< of about the last two seconds
-  ScanTremor tremor_mean = {};                  ///< of about the last fifteen seconds
+  ScanTremor tremor_mean = {};                  ///< of about the last three seconds
   bool known = false;                           ///< false: nothing is known of the motion yet, only that it is steady
 };
 

@@ -49,15 +49,14 @@ TremorSpread tremor_spread(const TremorEvidence& evidence, const TremorOptions& 
   const TremorSpread seen = seen_spread(evidence, options);
   const double tilt = within(options.least_rotation, seen.tilt, options.tilt);
   return {tilt, within(options.least_rotation, seen.yaw, options.yaw + options.yaw_share * tilt),
-          within(options.least_translation, seen.translation, options.translation)};
+          within(options.least_translation, seen.translation,
+                 std::min(options.translation, options.least_translation + options.lever * tilt))};
 }
 
 TremorEvidence first_evidence(const TremorOptions& options) {
-  constexpr double kDeviations = 40;
-  TremorEvidence evidence;
-  evidence.freedom[0] = kDeviations;
-  evidence.squares[0] = kDeviations * options.first_tilt * options.first_tilt;
-  return evidence;
+  constexpr double kDeviations = 8;
+  const Eigen::Array3d first(options.first_tilt, options.first_tilt, options.first_translation);
+  return {kDeviations * first.square().matrix(), Eigen::Vector3d::Constant(kDeviations)};
 }
 
 // The correlation of noise of a flat spectrum between two frequencies.
@@ -89,7 +88,7 @@ TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, con
 }
 
 double share_of_mean(double interval) {
-  constexpr double kMemory = 15.0;  // [s]
+  constexpr double kMemory = 3.0;  // [s]
   return 1 - std::exp(-interval / kMemory);
 }
 
@@ -103,6 +102,12 @@ ScanTremor mean_with(const ScanTremor& mean, const ScanTremor& tremor, double sh
   ScanTremor next = mean;
   for (std::size_t i = 0; i < next.knots.size(); ++i) next.knots[i] += share * (tremor.knots[i] - mean.knots[i]);
   return next;
+}
+
+ScanTremor without(const ScanTremor& tremor, const ScanTremor& mean) {
+  ScanTremor rest = tremor;
+  for (std::size_t i = 0; i < rest.knots.size(); ++i) rest.knots[i] -= mean.knots[i];
+  return rest;
 }
 
 TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& smooth, const TremorPrior& prior,

@@ -60,11 +60,11 @@ struct TremblingScan {
 
 /// A tremor goes to and fro. One that stayed at an instant of the scan, from scan to scan, would let the part of the
 /// map that is seen at that instant leave the other parts, and nothing would bring it back: the mean of the tremors
-/// over fifteen seconds is held to zero as well. `mean` is that of those before the scan.
+/// over three seconds is held to zero as well. `mean` is that of those before the scan.
 TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, const TremblingScan& scan,
                          const TremorOptions& options);
 
-/// The weight of a scan in the mean of about fifteen seconds, `interval` [s] after the last one.
+/// The weight of a scan in the mean of about three seconds, `interval` [s] after the last one.
 double share_of_mean(double interval);
 
 /// What is left of the evidence after `interval` [s], and the fresh one.
@@ -72,6 +72,10 @@ TremorEvidence faded_sum(const TremorEvidence& old, const TremorEvidence& fresh,
 
 /// The mean after a scan of this tremor.
 ScanTremor mean_with(const ScanTremor& mean, const ScanTremor& tremor, double share);
+
+/// What of a tremor goes to and fro. The mean that it is seen about is an error of the map: what is put into the map
+/// without it lets the map come to rest where no instant of a scan leads another.
+ScanTremor without(const ScanTremor& tremor, const ScanTremor& mean);
 
 /// Pose, velocity and tremor of one linearisation: H x = -b.
 struct TremblingSystem {
