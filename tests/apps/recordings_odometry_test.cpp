@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "range_images.hpp"
 #include "support/real_recording.hpp"
+#include <tilth/evaluation/umeyama.hpp>
 #include <tilth/io/trajectory_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/search/kdtree.hpp>
@@ -98,6 +100,40 @@ TEST(OdometryOnRecordings, HandHeldMotionAgreesWithTheGivenPoses) {
   EXPECT_LT(median(turned_off), 1.0);
   EXPECT_LT(metres(error_between(24, 28)), 0.2);  // found again after 0.97 m and 29 degrees without a scan
   EXPECT_LT(degrees(error_between(24, 28)), 4.0);
+}
+
+/// Root mean square distance in the plane [m] of an estimate from positions, moved onto them as well as may be.
+double distance_in_plane(std::vector<Eigen::Vector3d> estimate, std::vector<Eigen::Vector3d> truth) {
+  for (std::vector<Eigen::Vector3d>* points : {&estimate, &truth}) {
+    for (Eigen::Vector3d& p : *points) p.z() = 0;
+  }
+  const Similarity fit = umeyama(estimate, truth, false);
+  double squares = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    squares += (fit.rotation * estimate[i] + fit.translation - truth[i]).squaredNorm();
+  return std::sqrt(squares / double(truth.size()));
+}
+
+// A street that is mostly road: of all there is to see little tells how far the car has come, and yet enough.
+TEST(OdometryOnRecordings, CarPullsAwayFromRest) {
+  const auto folder = recording("hdl64-durlachertor");
+  NEEDS(folder);
+  constexpr double kPeriod = 0.104;  // [s]
+  const RangeImages images(folder);
+  const std::vector<GpsPose> gps = gps_of(folder);
+  ASSERT_EQ(gps.size(), 52u);
+  const auto odometry = make_odometry(pipelines().front().name, {});
+  std::vector<Eigen::Vector3d> estimate, truth;
+  for (std::size_t i = 0; i < gps.size(); ++i) {
+    const OdometryResult result = odometry->register_scan(images.scan(i, gps[i].stamp, kPeriod));
+    EXPECT_EQ(result.alignment.degenerate_directions, 0) << "scan " << i;
+    if (i + 1 == gps.size()) break;
+    const double share = (result.stamp - gps[i].stamp) / (gps[i + 1].stamp - gps[i].stamp);
+    estimate.push_back(result.T_world_lidar.translation());
+    truth.push_back(gps[i].position + share * (gps[i + 1].position - gps[i].position));
+  }
+  EXPECT_NEAR((estimate.back() - estimate.front()).norm(), (truth.back() - truth.front()).head<2>().norm(), 0.2);
+  EXPECT_LT(distance_in_plane(estimate, truth), 0.1);  // of which 5 cm are the jitter of the GPS poses
 }
 
 /// The share of the upright things of `later`, 4 to 40 m away, that lie within 0.1 m of a point of `earlier`.

@@ -269,8 +269,8 @@ TEST(Tremor, WhatStaysAtAnInstantIsTakenBack) {
   EXPECT_LT(std::abs(held), 0.5 * free);
 }
 
-// A tenth of the patches that are seen at an instant is renewed with each scan. What is put where the scan seems to have
-// been stays where it is; without the mean of the tremors it comes back.
+// A tenth of the patches that are seen at an instant is renewed with each scan. What is put where the scan seems to
+// have been stays where it is; without the mean of the tremors it comes back.
 TEST(Tremor, WithoutItsMeanAMapThatIsAstrayComesBack) {
   const TremorOptions options;
   constexpr double kAstray = 2e-3, kShareRenewed = 0.1;  // [m]

@@ -10,7 +10,7 @@
 namespace tilth {
 
 struct PatchOptions {
-  SegmentOptions segments;
+  SegmentOptions segments = {};
   double max_thickness = kFlatThickness;
   double max_misfit = 1e6;
   double roughness = 0.002;

@@ -24,7 +24,7 @@ struct AlignMovingOptions {
   double velocity_slack = 0.01;
   double velocity_share = 0.1;
   TremorOptions tremor = {};
-  double degeneracy_ratio = 3e-3;
+  double degeneracy_ratio = 2e-3;
   double steady_acceleration = 1.0;
   int min_matches = 20;
 };
