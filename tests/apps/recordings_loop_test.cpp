@@ -66,5 +66,26 @@ TEST(LoopClosureOnRecordings, VehicleComesBackTheOtherWay) {
   EXPECT_GE(accepted, 10U);
 }
 
+// Straightened by their own motion, and submaps rather than single scans, the same places say how good odometry is
+// alone: closures do not depend on it once they are found.
+TEST(LoopClosureOnRecordings, OdometryAloneMeetsWhatStraightenedScansSay) {
+  const auto folder = recording("vlp16-outdoor-loop");
+  NEEDS(folder);
+  const std::unique_ptr<Slam> slam = driven(folder, "tilth", {});
+  const Trajectory& odometry = slam->odometry_trajectory();
+  std::size_t accepted = 0;
+  for (const LoopClosure& closure : slam->loops().closures()) {
+    if (closure.verdict != Verdict::accepted) continue;
+    ++accepted;
+    const std::size_t from = slam->loops().keyframes()[closure.constraint.from].scan;
+    const std::size_t to = slam->loops().keyframes()[closure.constraint.to].scan;
+    const Pose T_from_to = odometry[from].T_world_lidar.inverse() * odometry[to].T_world_lidar;
+    const Pose error = closure.constraint.T_from_to.inverse() * T_from_to;
+    EXPECT_LT(error.translation().norm(), 0.1) << to << " in " << from;
+    EXPECT_LT(angle_of(error), 0.3 * kDegree) << to << " in " << from;
+  }
+  EXPECT_GE(accepted, 10U);
+}
+
 }  // namespace
 }  // namespace tilth

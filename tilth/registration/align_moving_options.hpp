@@ -18,7 +18,7 @@ struct AlignMovingOptions {
   double surface_doubt = 10.0;
   double patch_variance = 7e-5;
   double first_kernel_width = 10.0;
-  double kernel_width = 2.0;
+  double kernel_width = 1.3;
   double acceleration = 10.0;
   double angular_acceleration = 20.0;
   double velocity_slack = 0.01;
