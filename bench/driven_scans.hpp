@@ -39,7 +39,7 @@ inline StillScan still_scan(const Simulator& simulator, std::size_t index) {
   const double length = duration(scan.cloud), middle = 0.5 * length;
   const auto pose_at = [&](double time) { return interpolate(simulator.truth(), scan.stamp + time); };
   const Vector6d velocity = log(pose_at(0).inverse() * pose_at(length)) / length;
-  return {deskew(patches, velocity, middle), pose_at(middle)};
+  return {deskew(patches, {velocity}, middle), pose_at(middle)};
 }
 
 /// A scan, its features, and the map of the scans before it, in the world's frame.

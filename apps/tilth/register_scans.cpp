@@ -96,9 +96,9 @@ bool RegistrationLoop::register_scan(const Scan& scan, double read_ms) {
 }
 
 void RegistrationLoop::keep(const Scan& scan, const OdometryResult& result, ScanRow row) {
-  if (record_.mcap) record_.mcap->add_scan(result.filtered, {result.stamp, result.stamp - scan.stamp, result.velocity});
+  if (record_.mcap) record_.mcap->add_scan(result.filtered, {result.stamp, result.stamp - scan.stamp, result.motion});
   const Stopwatch mapping;
-  record_.map.add(result.filtered, result.T_world_lidar, result.stamp - scan.stamp, result.velocity);
+  record_.map.add(result.filtered, result.T_world_lidar, result.stamp - scan.stamp, result.motion);
   row.map_ms = mapping.milliseconds();
   record_.trajectory.push_back({result.stamp, result.T_world_lidar});
   record_.scans.stages = clock_.stages();

@@ -51,7 +51,7 @@ RunRecord bent_run(const std::string& name) {
     PointCloud cloud;
     cloud.points = {{1, 2, 0.3}, {-1, 2, 1.5}};
     cloud.intensities = {float(i), 1};
-    record.map.add(cloud, T, 0.0, Vector6d::Zero());
+    record.map.add(cloud, T, 0.0, {});
   }
   record.evaluation = evaluate(truth, record.trajectory, {});
   return record;

@@ -40,13 +40,13 @@ TEST(Deskew, PutsAWallSeenInMotionBackInOnePlace) {
                        .normal = T.linear() * Eigen::Vector3d::UnitX(),
                        .time = float(t)});
   }
-  for (const SurfacePatch& patch : deskew(patches, velocity, 0.05)) {
+  for (const SurfacePatch& patch : deskew(patches, {velocity}, 0.05)) {
     EXPECT_LT((patch.mean - fixed).norm(), 1e-5);
     EXPECT_LT((patch.normal - Eigen::Vector3d::UnitX()).norm(), 1e-5);
     EXPECT_LT((patch.covariance - covariance).norm(), 1e-4);
   }
   for (SurfacePatch& patch : patches) patch.time = 0;  // no times
-  EXPECT_EQ(deskew(patches, velocity, 0.05)[3].mean, patches[3].mean);
+  EXPECT_EQ(deskew(patches, {velocity}, 0.05)[3].mean, patches[3].mean);
 }
 
 // A dense sheet with a few points far off it.

@@ -60,7 +60,8 @@ inline Place room() {
 
 /// Patches of the planes, at random up to 5 m from their means, each as it is seen at its own time: the sensor turns
 /// once in a period, and is at `T_map_middle` in the middle of it.
-inline SurfacePatches seen(const Place& place, const Pose& T_map_middle, const Vector6d& velocity, std::size_t count) {
+inline SurfacePatches seen(const Place& place, const Pose& T_map_middle, const MotionInScan& motion,
+                           std::size_t count) {
   std::mt19937 rng(5);
   std::uniform_real_distribution<double> u(-5, 5);
   SurfacePatches patches;
@@ -70,7 +71,7 @@ inline SurfacePatches seen(const Place& place, const Pose& T_map_middle, const V
     const Eigen::Vector3d d(x, y, z), in_map = plane.mean + d - d.dot(plane.normal) * plane.normal;
     const Eigen::Vector3d roughly = T_map_middle.inverse() * in_map;
     const double time = kPeriod * (0.5 + std::atan2(roughly.y(), roughly.x()) / (2 * std::numbers::pi));
-    const Pose T_map_then = T_map_middle * exp(velocity * (double(float(time)) - kMiddle));
+    const Pose T_map_then = T_map_middle * motion.after(double(float(time)) - kMiddle);
     const Eigen::Vector3d normal = T_map_then.linear().transpose() * plane.normal;
     patches.push_back({.mean = T_map_then.inverse() * in_map,
                        .covariance = thin(normal, 1e-2, 1e-5),
@@ -82,13 +83,17 @@ inline SurfacePatches seen(const Place& place, const Pose& T_map_middle, const V
   return patches;
 }
 
+inline SurfacePatches seen(const Place& place, const Pose& T_map_middle, const Vector6d& velocity, std::size_t count) {
+  return seen(place, T_map_middle, MotionInScan{velocity}, count);
+}
+
 inline const AlignMovingOptions kOptions{.max_distance = 100};
 
 /// The prior of a sensor that has moved with `velocity` for a period, `surprise` from what was expected.
 inline MotionPrior prior_of(const Vector6d& velocity, const Vector6d& surprise) {
   return {.T_map_last = kTruth * exp(-velocity * kPeriod),
           .velocity = velocity + surprise,
-          .last_motion = velocity + surprise,
+          .last_motion = velocity,
           .steady_velocity = velocity + surprise,
           .interval = kPeriod,
           .known = true};

@@ -16,14 +16,14 @@ TEST(MotionPrior, NextRemembersTheMotionSeen) {
   const MotionPrior prior{.T_map_last = kTruth, .velocity = kVelocity, .last_motion = kSurprise, .interval = 0.2};
   const Vector6d motion = (Vector6d() << 0, 0.1, 0.2, 1, 2, 3).finished();
   MovingAlignment alignment;
-  alignment.velocity = 2 * kVelocity;
+  alignment.motion.velocity = 2 * kVelocity;
   alignment.pose.T_target_source = kTruth * exp(0.2 * motion);
   alignment.pose.matches = 50;
   const MotionPrior after = next(prior, alignment);
   EXPECT_TRUE(after.known);
   EXPECT_EQ(after.interval, 0.0);  // not known yet
   EXPECT_TRUE(after.T_map_last.isApprox(alignment.pose.T_target_source));
-  EXPECT_EQ(after.velocity, alignment.velocity);
+  EXPECT_EQ(after.velocity, alignment.motion.velocity);
   EXPECT_LT((after.last_motion - motion).norm(), 1e-9);
 
   EXPECT_LT((after.steady_velocity - motion).norm(), 1e-9) << "the first motion known";

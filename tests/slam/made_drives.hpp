@@ -62,7 +62,7 @@ class DriftingOdometry : public Odometry {
     OdometryResult result;
     result.stamp = scan.stamp + 0.5 * duration(scan.cloud);
     const Pose T_truth = interpolate(truth_, result.stamp), T_later = interpolate(truth_, result.stamp + kStep);
-    result.velocity = log(T_truth.inverse() * T_later) / kStep;
+    result.motion.velocity = log(T_truth.inverse() * T_later) / kStep;
     Pose motion = first_ ? Pose(Pose::Identity()) : Pose(T_truth_last_.inverse() * T_truth);
     const double way = motion.translation().norm();
     motion.translation() *= 1 + drift_.scale;

@@ -1,4 +1,4 @@
-// How the LiDAR's motion within a scan deviates from constant velocity.
+// How the LiDAR's motion within a scan deviates from constant acceleration.
 #pragma once
 
 #include <algorithm>

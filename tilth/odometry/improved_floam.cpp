@@ -41,14 +41,14 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   Pose T_world_middle = motion_.predict(result.stamp);
   MatchedPatches still;
   for (const AlignOptions& align : {rough(options_), options_.align}) {
-    result.velocity = options_.deskew ? motion_.velocity_to(result.stamp, T_world_middle) : Vector6d::Zero();
-    still.patches = deskew(joined(features.edges, features.planes), result.velocity, middle);
+    if (options_.deskew) result.motion = motion_.motion_to(result.stamp, T_world_middle, options_.bend);
+    still.patches = deskew(joined(features.edges, features.planes), result.motion, middle);
     result.alignment = register_features(still, T_world_middle, align);
     T_world_middle = result.alignment.T_target_source;
   }
   begin_stage("map");
   motion_.update(result.stamp, T_world_middle);
-  map_.insert(deskew(std::move(patches), result.velocity, middle), T_world_middle);
+  map_.insert(deskew(std::move(patches), result.motion, middle), T_world_middle);
   map_.crop(T_world_middle.translation());
 
   result.T_world_lidar = T_world_middle;

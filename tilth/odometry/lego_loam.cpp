@@ -54,8 +54,8 @@ OdometryResult LegoLoam::register_scan(const Scan& scan) {
   result.alignment = align_sweep({features.sharp, features.flat, period}, last_sweep_, T_start_end_, options_.sweep);
   T_start_end_ = result.alignment.T_target_source;
   T_odom_end_ = normalized(T_odom_end_ * T_start_end_);
-  result.velocity = cloud.has_times() ? Vector6d(log(T_start_end_) / period) : Vector6d::Zero();
-  const auto at_end = [&](const PointCloud& points) { return deskew(points, result.velocity, period); };
+  result.motion.velocity = cloud.has_times() ? Vector6d(log(T_start_end_) / period) : Vector6d::Zero();
+  const auto at_end = [&](const PointCloud& points) { return deskew(points, result.motion, period); };
   const FeatureClouds still{at_end(features.less_sharp), at_end(features.less_flat)};
   last_sweep_ = {SweepTarget(still.edges), SweepTarget(still.planes)};
 

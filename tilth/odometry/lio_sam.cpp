@@ -21,9 +21,9 @@ OdometryResult LioSam::register_scan(const Scan& scan) {
   begin_stage("deskew");
   const double instant = options_.pose_at * duration(result.filtered);
   result.stamp = scan.stamp + instant;
-  if (options_.deskew) result.velocity = motion_.velocity();
-  features.edges = voxel_downsample(deskew(features.edges, result.velocity, instant), options_.edge_voxel);
-  features.planes = voxel_downsample(deskew(features.planes, result.velocity, instant), options_.plane_voxel);
+  if (options_.deskew) result.motion.velocity = motion_.velocity();
+  features.edges = voxel_downsample(deskew(features.edges, result.motion, instant), options_.edge_voxel);
+  features.planes = voxel_downsample(deskew(features.planes, result.motion, instant), options_.plane_voxel);
 
   begin_stage("registration");
   const Pose T_predicted = motion_.predict(result.stamp);

@@ -7,6 +7,7 @@
 
 #include <tilth/core/point_cloud.hpp>
 #include <tilth/core/scan.hpp>
+#include <tilth/core/scan_motion.hpp>
 #include <tilth/core/se3.hpp>
 #include <tilth/registration/align_result.hpp>
 
@@ -22,9 +23,8 @@ struct ScanCounts {
 struct OdometryResult {
   double stamp = 0.0;  ///< [s] of the pose: the middle of the scan if its points have times, else its stamp
   Pose T_world_lidar = Pose::Identity();  ///< at `stamp`; world = the LiDAR at the first scan's `stamp`
-  Vector6d velocity =
-      Vector6d::Zero();   ///< [rad/s, m/s] of the LiDAR in its own frame during the scan, as used for deskewing
-  AlignResult alignment;  ///< of the registration that gave the pose
+  MotionInScan motion;                    ///< about `stamp`, as used for deskewing
+  AlignResult alignment;                  ///< of the registration that gave the pose
   /// [rad^2, m^2] of T_world_lidar (right perturbation), drift included, where the pipeline accounts for it
   std::optional<Matrix6d> covariance = {};
   ScanCounts counts;

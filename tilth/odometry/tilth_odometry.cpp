@@ -18,8 +18,8 @@ SurfacePatches evenly(const SurfacePatches& patches, std::size_t most) {
 
 /// The pose at `pose_at` of a scan of which the alignment tells.
 Pose pose_in_scan(const MovingAlignment& alignment, double pose_at, double scan_duration) {
-  return alignment.pose.T_target_source * exp(alignment.tremor.at(pose_at)) *
-         exp(alignment.velocity * ((pose_at - 0.5) * scan_duration));
+  return alignment.pose.T_target_source * exp(alignment.motion.tremor.at(pose_at)) *
+         alignment.motion.after((pose_at - 0.5) * scan_duration);
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
 
   result.alignment = alignment.pose;
   result.alignment.T_target_source = T_world_map_ * alignment.pose.T_target_source;
-  result.velocity = alignment.velocity;
+  result.motion = alignment.motion.from((options_.pose_at - 0.5) * scan_duration, options_.pose_at);
   result.stamp = scan.stamp + options_.pose_at * scan_duration;
   result.T_world_lidar = T_world_map_ * pose_in_scan(alignment, options_.pose_at, scan_duration);
   const auto flat = std::count_if(patches.begin(), patches.end(), [](const SurfacePatch& p) { return p.flat; });
@@ -75,9 +75,9 @@ MovingAlignment TilthOdometry::register_patches(const SurfacePatches& patches, d
   MovingAlignment alignment;
   for (int round = 0; round < kRounds; ++round) {
     alignment = align_to_map(patches, middle, motion_);
-    motion_.velocity = alignment.velocity;
+    motion_.velocity = alignment.motion.velocity;
     map_ = PatchMap(options_.map);
-    map_.insert(deskew(first_->patches, alignment.velocity, first_->middle), motion_.T_map_last);
+    map_.insert(deskew(first_->patches, {alignment.motion.velocity}, first_->middle), motion_.T_map_last);
   }
   return alignment;
 }
@@ -103,8 +103,9 @@ void TilthOdometry::insert(const SurfacePatches& patches, double middle, const M
   motion_ = next(motion_, alignment);
   if (!first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
   const Pose& T_map_middle = alignment.pose.T_target_source;
-  const ScanTremor tremor = without(alignment.tremor, motion_.tremor_mean);
-  map_.insert(deskew(patches, alignment.velocity, middle, tremor), T_map_middle, last_middle_ - begin_);
+  MotionInScan motion = alignment.motion;
+  motion.tremor = without(motion.tremor, motion_.tremor_mean);
+  map_.insert(deskew(patches, motion, middle), T_map_middle, last_middle_ - begin_);
   map_.crop(T_map_middle.translation());
   if (++registered_ != 2) return;
   first_->motion = motion_;

@@ -2,7 +2,6 @@
 #include <bit>
 #include <cstring>
 
-#include <tilth/core/scan_motion.hpp>
 #include <tilth/output/map_builder.hpp>
 
 namespace tilth {
@@ -18,13 +17,13 @@ bool take(VoxelSet& voxels, const MapPoint& point, double voxel) {
 
 MapBuilder::MapBuilder(const MapOptions& options) : voxel_(options.voxel), max_points_(options.max_points) {}
 
-void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const Vector6d& velocity) {
+void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const MotionInScan& motion) {
   const bool timed = cloud.has_times();
   const double duration = timed ? *std::max_element(cloud.times.begin(), cloud.times.end()) : pose_time;
-  const ScanMotion motion(velocity, pose_time, duration);
+  const ScanMotion moved(motion, pose_time, duration);
   const bool bright = cloud.intensities.size() == cloud.size();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3d p = T_world_lidar * motion.move(cloud.points[i], timed ? double(cloud.times[i]) : pose_time);
+    const Eigen::Vector3d p = T_world_lidar * moved.move(cloud.points[i], timed ? double(cloud.times[i]) : pose_time);
     insert({float(p.x()), float(p.y()), float(p.z()), bright ? cloud.intensities[i] : 0.0F, scans_});
   }
   ++scans_;

@@ -10,6 +10,7 @@
 #include <tilth/core/options.hpp>
 #include <tilth/core/point_cloud.hpp>
 #include <tilth/core/point_records.hpp>
+#include <tilth/core/scan_motion.hpp>
 #include <tilth/core/se3.hpp>
 #include <tilth/core/voxel_set.hpp>
 
@@ -38,9 +39,9 @@ class MapBuilder {
   explicit MapBuilder(const MapOptions& options);
 
   /// Adds a scan whose sensor stood at `T_world_lidar` when `pose_time` ([s], on the clock of `cloud.times`) and moved
-  /// at `velocity` ([rad/s, m/s], in its own frame) while it was measured: a point of time t lies at T_world_lidar *
-  /// exp(velocity * (t - pose_time)) * p. Points that are not finite are passed over.
-  void add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const Vector6d& velocity);
+  /// about that instant as `motion` tells: a point of time t lies at T_world_lidar * T_reference_time * p, see
+  /// ScanMotion. Points that are not finite are passed over.
+  void add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const MotionInScan& motion);
 
   /// Moves the points of each scan by the motion of its number, in the world frame, and thins the map anew: what
   /// becomes of it when the poses of all scans are corrected. `T_new_old` has one motion a scan.

@@ -62,7 +62,7 @@ std::vector<std::string> continue_run(const fs::path& folder, RunRecord& record)
   keep_whole_lines(folder / kRows);
   record.trajectory = read_tum(folder / kPoses);
   if (!fs::exists(folder / kMap)) return {folder.string() + " has no map yet: the new one begins here"};
-  record.map.add(map_in_world(folder / kMap), Pose::Identity(), 0.0, Vector6d::Zero());
+  record.map.add(map_in_world(folder / kMap), Pose::Identity(), 0.0, {});
   return {};
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include <tilth/core/point_cloud.hpp>
+#include <tilth/core/scan_motion.hpp>
 #include <tilth/core/se3.hpp>
 #include <tilth/core/trajectory.hpp>
 
@@ -18,9 +19,9 @@ struct RunRecord;
 
 /// When and how a sensor moved that measured a scan, as MapBuilder::add() takes it.
 struct MeasuredScan {
-  double stamp = 0.0;                    ///< [s] of the pose
-  double pose_time = 0.0;                ///< [s] of the pose, on the clock of the points' times
-  Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s]
+  double stamp = 0.0;      ///< [s] of the pose
+  double pose_time = 0.0;  ///< [s] of the pose, on the clock of the points' times
+  MotionInScan motion;     ///< about that instant
 };
 
 class RunMcap {

@@ -112,14 +112,15 @@ bool step_moving(const PatchPairs& pairs, const ScanPrior& prior, const AlignMov
     tremor = tremor_prior(prior.spread, prior.motion.tremor_mean, scan, options.tremor);
     const TremblingSystem whole = trembling_system(at_state.parts, system, tremor, state);
     trembling.emplace(whole.H);
-    if (!step_trembling(whole, *trembling, step, state.tremor)) return false;
+    if (!step_trembling(whole, *trembling, step, state.motion.tremor)) return false;
   }
   state.T_map_lidar = retract(state.T_map_lidar, step.head<6>());
-  state.velocity += step.tail<6>();
+  state.motion.velocity += step.tail<6>();
+  state.motion.acceleration = acceleration_in(prior.motion, state);
   result.pose.converged =
       step.head<3>().norm() < options.rotation_epsilon && step.segment<3>(3).norm() < options.translation_epsilon;
   if (!result.pose.converged && result.pose.iterations < options.max_iterations) return true;
-  if (trembling) result.evidence = evidence_of(*trembling, tremor, state.tremor);
+  if (trembling) result.evidence = evidence_of(*trembling, tremor, state.motion.tremor);
   const Matrix6d covariance =
       trembling ? covariance_in_middle(*trembling) : Matrix6d(system.H.inverse().topLeftCorner<6, 6>());
   const Matrix6d astray = steady_shift(prior.motion, options) * at_state.lost;  // no residual tells of it

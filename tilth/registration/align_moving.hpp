@@ -31,10 +31,10 @@ bool step_moving(const PatchPairs& pairs, const ScanPrior& prior, const AlignMov
 template <SurfaceLookup Lookup>
 MovingAlignment align_moving(const SurfacePatches& patches, double middle, const MotionPrior& prior,
                              const Lookup& target, const AlignMovingOptions& options) {
-  MotionState state{predicted(prior), prior.velocity, middle,
-                    std::max(options.first_kernel_width, options.kernel_width)};
+  MotionState state{
+      predicted(prior), {prior.velocity}, middle, std::max(options.first_kernel_width, options.kernel_width)};
   MovingAlignment result{.pose = {.T_target_source = state.T_map_lidar},
-                         .velocity = state.velocity,
+                         .motion = state.motion,
                          .covariance = pose_variances(prior, options).asDiagonal()};
   result.pose.candidates = patches.size();
   const ScanPrior before = scan_prior(prior, middle, options);
@@ -46,8 +46,7 @@ MovingAlignment align_moving(const SurfacePatches& patches, double middle, const
     state.kernel_width = std::max(options.kernel_width, state.kernel_width / 2);
   }
   result.pose.T_target_source = state.T_map_lidar;
-  result.velocity = state.velocity;
-  result.tremor = state.tremor;
+  result.motion = state.motion;
   return result;
 }
 

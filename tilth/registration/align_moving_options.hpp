@@ -22,7 +22,7 @@ struct AlignMovingOptions {
   double acceleration = 10.0;
   double angular_acceleration = 20.0;
   double velocity_slack = 0.01;
-  double velocity_share = 0.1;
+  double velocity_share = 0.12;
   TremorOptions tremor = {};
   double degeneracy_ratio = 2e-3;
   double steady_acceleration = 1.0;
@@ -49,9 +49,10 @@ void visit(AlignMovingOptions& o, V&& v) {
   v("acceleration", o.acceleration, Bounds{1e-3, 1e6}, "[m/s^2] standard deviation from constant velocity");
   v("angular_acceleration", o.angular_acceleration, Bounds{1e-3, 1e6}, "[rad/s^2] the same of the rotation");
   v("velocity_slack", o.velocity_slack, Bounds{1e-6, 1e6},
-    "[m/s^2, rad/s^2] by which the velocity in a scan may differ from the motion since the last one");
-  v("velocity_share", o.velocity_share, Bounds{0, 10}, "[-] the same as a share of the acceleration seen, in addition");
-  v("tremor", o.tremor, "[-] deviations from constant velocity within a scan");
+    "[m/s^2, rad/s^2] by which the acceleration in a scan may differ from the one before it");
+  v("velocity_share", o.velocity_share, Bounds{0, 10},
+    "[-] the same as a share of the acceleration's change, in addition");
+  v("tremor", o.tremor, "[-] deviations from constant acceleration within a scan");
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
     "[-] a direction with less information than this share of the best one is degenerate: there the motion goes "
     "on as it was in the last second, and partly so up to 1.5 times the share");

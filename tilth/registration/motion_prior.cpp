@@ -6,6 +6,10 @@
 namespace tilth {
 namespace {
 
+Vector6d motion_since_last(const MotionPrior& prior, const Pose& T_map_lidar) {
+  return log(prior.T_map_last.inverse() * T_map_lidar) / prior.interval;
+}
+
 Vector6d variances_of(double rotation_sigma, double translation_sigma) {
   Vector6d variances;
   variances << Eigen::Vector3d::Constant(rotation_sigma * rotation_sigma),
@@ -27,18 +31,18 @@ double steady_shift(const MotionPrior& prior, const AlignMovingOptions& options)
 MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
   const Pose& T_map_last = alignment.pose.T_target_source;
   const bool known = prior.interval > 0 && alignment.pose.matches > 0;
-  const Vector6d motion =
-      known ? Vector6d(log(prior.T_map_last.inverse() * T_map_last) / prior.interval) : prior.last_motion;
+  const Vector6d motion = known ? motion_since_last(prior, T_map_last) : prior.last_motion;
   constexpr double kMemory = 1.0;  // [s] of the steady velocity
   const double fresh = prior.known ? 1 - std::exp(-prior.interval / kMemory) : 1.0;
   const Vector6d steady = prior.steady_velocity + fresh * (motion - prior.steady_velocity);
   return {T_map_last,
-          alignment.velocity,
+          alignment.motion.velocity,
           motion,
+          prior.known ? Vector6d((motion - prior.last_motion) / prior.interval) : Vector6d(Vector6d::Zero()),
           steady,
           0.0,
           faded_sum(prior.tremor, alignment.evidence, prior.interval),
-          mean_with(prior.tremor_mean, alignment.tremor, share_of_mean(prior.interval)),
+          mean_with(prior.tremor_mean, alignment.motion.tremor, share_of_mean(prior.interval)),
           prior.known || known};
 }
 
@@ -49,20 +53,27 @@ void add_pose_prior(const MotionPrior& prior, const AlignMovingOptions& options,
   system.b.head<6>() += weights.cwiseProduct(log(predicted(prior).inverse() * state.T_map_lidar));
 }
 
+Vector6d acceleration_in(const MotionPrior& prior, const MotionState& state) {
+  if (!prior.known) return Vector6d::Zero();
+  return 2 / prior.interval * (state.motion.velocity - motion_since_last(prior, state.T_map_lidar));
+}
+
 void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
                         MovingSystem& system) {
   const double rate = 1 / prior.interval;
-  const Vector6d motion = rate * log(prior.T_map_last.inverse() * state.T_map_lidar);
-  const Vector6d change = rate * (motion - prior.last_motion);
+  const Vector6d motion = motion_since_last(prior, state.T_map_lidar);
+  const Vector6d change = rate * (motion - prior.last_motion), surprise = change - prior.last_change;
+  const Vector6d expected = prior.known ? Vector6d(motion + 0.5 * prior.interval * change) : motion;
   const auto sigma = [&](double seen) {
     return 0.5 * prior.interval * (options.velocity_slack + options.velocity_share * seen);
   };
-  const Vector6d weights = variances_of(sigma(change.head<3>().norm()), sigma(change.tail<3>().norm())).cwiseInverse();
+  const Vector6d weights =
+      variances_of(sigma(surprise.head<3>().norm()), sigma(surprise.tail<3>().norm())).cwiseInverse();
   Eigen::Matrix<double, 6, 12> J;
   J << -rate * Matrix6d::Identity(), Matrix6d::Identity();
   const Eigen::Matrix<double, 12, 6> Jt = J.transpose() * weights.asDiagonal();
   system.H += Jt * J;
-  system.b += Jt * (state.velocity - motion);
+  system.b += Jt * (state.motion.velocity - expected);
 }
 
 void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& options, const Matrix6d& lost,
@@ -75,7 +86,7 @@ void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& option
     system.b.segment<6>(at) += Jt * (lost * residual);
   };
   add(0, steady_shift(prior, options), log(T_map_steady.inverse() * state.T_map_lidar));
-  add(6, change, state.velocity - prior.steady_velocity);
+  add(6, change, state.motion.velocity - prior.steady_velocity);
 }
 
 }  // namespace tilth

@@ -14,6 +14,7 @@ struct MotionPrior {
   Pose T_map_last = Pose::Identity();           ///< the last pose
   Vector6d velocity = Vector6d::Zero();         ///< [rad/s, m/s] expected, in the LiDAR's frame
   Vector6d last_motion = Vector6d::Zero();      ///< [rad/s, m/s] mean velocity between the last two poses
+  Vector6d last_change = Vector6d::Zero();      ///< [rad/s^2, m/s^2] of that mean velocity, since the one before
   Vector6d steady_velocity = Vector6d::Zero();  ///< [rad/s, m/s] mean of about the last second
   double interval = 0.0;                        ///< [s] since the last pose; below 0 where that came after
   TremorEvidence tremor = {};                   ///< of about the last two seconds
@@ -39,7 +40,12 @@ MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment);
 void add_pose_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
                     MovingSystem& system);
 
-/// The velocity in the scan is the motion since the last scan, unless that itself has changed: then it may differ.
+/// What a velocity in the middle of the scan that differs from the motion since the last one says: the scan is bent.
+/// [rad/s^2, m/s^2]; 0 before anything is known of the motion.
+Vector6d acceleration_in(const MotionPrior& prior, const MotionState& state);
+
+/// The velocity in the middle of the scan is where the last two motions, half an interval and one and a half before it,
+/// lead to, unless their acceleration is not that seen before: then it may differ.
 void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
                         MovingSystem& system);
 

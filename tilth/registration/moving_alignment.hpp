@@ -3,16 +3,15 @@
 
 #include <optional>
 
-#include <tilth/core/scan_tremor.hpp>
+#include <tilth/core/scan_motion.hpp>
 #include <tilth/registration/align_result.hpp>
 
 namespace tilth {
 
 struct MovingAlignment {
-  AlignResult pose;                      ///< T_target_source is at `middle`
-  Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s] during the scan, in the LiDAR's frame
-  ScanTremor tremor = {};                ///< beside that velocity
-  TremorEvidence evidence = {};          ///< on the spread of tremors
+  AlignResult pose;              ///< T_target_source is at `middle`
+  MotionInScan motion = {};      ///< about `middle`
+  TremorEvidence evidence = {};  ///< on the spread of tremors
   /// [rad^2, m^2] of the pose at `middle` (right perturbation) if the surfaces were exact, with velocity and tremor
   /// unknown; of the prior, from the last pose on, where the pairs gave none
   Matrix6d covariance = Matrix6d::Zero();

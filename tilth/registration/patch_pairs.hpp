@@ -5,7 +5,6 @@
 #include <vector>
 
 #include <tilth/core/scan_motion.hpp>
-#include <tilth/core/scan_tremor.hpp>
 #include <tilth/core/surface_patch.hpp>
 #include <tilth/registration/align_moving_options.hpp>
 #include <tilth/registration/association.hpp>
@@ -44,11 +43,10 @@ struct PatchPairs {
 
 /// The state that is estimated.
 struct MotionState {
-  Pose T_map_lidar = Pose::Identity();   ///< at `middle`
-  Vector6d velocity = Vector6d::Zero();  ///< [rad/s, m/s]
-  double middle = 0.0;                   ///< [s] since the stamp of the scan
-  double kernel_width = 1.0;             ///< [sigma] in force
-  ScanTremor tremor = {};                ///< beside the velocity
+  Pose T_map_lidar = Pose::Identity();  ///< at `middle`
+  MotionInScan motion = {};             ///< about `middle`
+  double middle = 0.0;                  ///< [s] since the stamp of the scan
+  double kernel_width = 1.0;            ///< [sigma] in force
 };
 
 struct PatchMatching {
@@ -75,7 +73,7 @@ void associate_patches(const SurfacePatches& patches, const MotionState& state, 
   matching.pairs.clear();
   const double max_squared = options.max_distance * options.max_distance;
   const double renew_squared = options.renew_distance * options.renew_distance;
-  const ScanMotion motion(state.velocity, state.middle, 2 * state.middle, state.tremor);
+  const ScanMotion motion(state.motion, state.middle, 2 * state.middle);
   const Eigen::Matrix3d R_map_lidar = state.T_map_lidar.linear(), R_lidar_map = R_map_lidar.transpose();
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const SurfacePatch& patch = patches[i];

@@ -73,7 +73,7 @@ std::vector<DuringSweep<Pair>> SweepPairs<Pair>::operator()(const Pose& T_start_
   const bool renew = iterations_ % options_.renew_every == 0;
   const double weight_slope = iterations_ < options_.renew_every ? 0.0 : options_.weight_slope;
   ++iterations_;
-  const ScanMotion motion(log(T_start_end) / sweep_.period, 0.0, sweep_.period);
+  const ScanMotion motion({log(T_start_end) / sweep_.period}, 0.0, sweep_.period);
   const Pose T_end_start = T_start_end.inverse();
   std::vector<DuringSweep<Pair>> pairs;
   pairs.reserve(cloud.size());

@@ -131,7 +131,7 @@ TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& s
       const auto k = std::size_t(j);
       const Vector6d joint = prior.precision(i, j) * weights;
       system.H.block<6, 6>(place_of(i), place_of(j)).diagonal() += joint;
-      system.b.segment<6>(place_of(i)) += joint.cwiseProduct(state.tremor.knots[k] - prior.means.knots[k]);
+      system.b.segment<6>(place_of(i)) += joint.cwiseProduct(state.motion.tremor.knots[k] - prior.means.knots[k]);
     }
   }
   return system;

@@ -1,4 +1,4 @@
-// The tremor of a scan, estimated together with its pose and velocity: deviations from constant velocity at nine
+// The tremor of a scan, estimated together with its pose and velocity: deviations from constant acceleration at nine
 // instants, as large as the last scans have shown them to be (empirical Bayes, after MacKay 1992). A robot that rolls
 // smoothly has next to none, a shaking cart tenths of a degree.
 #pragma once

@@ -23,7 +23,7 @@ struct TremorOptions {
 template <class V>
 void visit(TremorOptions& o, V&& v) {
   v("tilt", o.tilt, Bounds{0, 1},
-    "[rad] greatest standard deviation of roll and pitch in a scan from constant velocity; 0: no tremor");
+    "[rad] greatest standard deviation of roll and pitch in a scan from constant acceleration; 0: no tremor");
   v("yaw", o.yaw, Bounds{0, 1}, "[rad] the same about the axis of the LiDAR's spin, where nothing tilts");
   v("yaw_share", o.yaw_share, Bounds{0, 10}, "[-] ... and this share of roll's and pitch's deviation more");
   v("translation", o.translation, Bounds{0, 1}, "[m] the same along the axes");

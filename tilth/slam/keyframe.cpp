@@ -26,7 +26,7 @@ Keyframe make_keyframe(const OdometryResult& result, double scan_stamp, const Ke
   Keyframe keyframe{.stamp = result.stamp, .T_odometry_lidar = result.T_world_lidar};
   keyframe.patches =
       deskew(thinned(surface_patches(result.filtered, options.patches), std::size_t(options.max_patches)),
-             result.velocity, result.stamp - scan_stamp);
+             result.motion, result.stamp - scan_stamp);
   keyframe.context = describe_place(result.filtered, options.context);
   return keyframe;
 }

@@ -1,0 +1,84 @@
+// Scans that were taken as the sensor sped up or turned in: what is found of their acceleration, and what is believed
+// of it before.
+#include <gtest/gtest.h>
+
+#include "made_places.hpp"
+
+namespace tilth {
+namespace {
+
+const Vector6d kAcceleration = (Vector6d() << 0.1, -0.1, 4.0, 2.0, 0.5, 0.0).finished();
+
+/// Of a sensor that moves with kVelocity in the middle of the scan and has sped up steadily for `periods`.
+MotionPrior sped_up(double periods) {
+  const Pose T_map_last = kTruth * MotionInScan{kVelocity, kAcceleration}.after(-kPeriod);
+  const Vector6d motion = log(T_map_last.inverse() * kTruth) / kPeriod;
+  const Vector6d change = periods >= 2 ? kAcceleration : Vector6d(Vector6d::Zero());
+  return {.T_map_last = T_map_last,
+          .velocity = kVelocity - kPeriod * kAcceleration,
+          .last_motion = motion - (periods >= 1.5 ? 1.0 : 0.5) * kPeriod * kAcceleration,
+          .last_change = change,
+          .steady_velocity = motion,
+          .interval = kPeriod,
+          .known = true};
+}
+
+TEST(AcceleratingScan, IsStraightenedByItsAcceleration) {
+  const MotionInScan motion{kVelocity, kAcceleration};
+  const SurfacePatches patches = seen(room(), kTruth, motion, 600);
+  const auto result = align_moving(patches, kMiddle, sped_up(3), room(), kOptions);
+  EXPECT_TRUE(result.pose.converged);
+  EXPECT_LT(pose_error(result), 3e-4);
+  EXPECT_LT((result.motion.velocity - kVelocity).norm(), 0.02);
+  EXPECT_LT((result.motion.acceleration - kAcceleration).norm(), 0.1 * kAcceleration.norm());
+}
+
+TEST(AcceleratingScan, MayBeTheFirstThatIs) {
+  const MotionInScan motion{kVelocity, kAcceleration};
+  const SurfacePatches patches = seen(room(), kTruth, motion, 600);
+  const auto result = align_moving(patches, kMiddle, sped_up(1), room(), kOptions);
+  EXPECT_TRUE(result.pose.converged);
+  EXPECT_LT(pose_error(result), 3e-3);
+  EXPECT_LT((result.motion.velocity - kVelocity).norm(), 0.3 * kPeriod * kAcceleration.norm());
+}
+
+TEST(AcceleratingScan, DiffersFromTheLastOneAsFarAsItMay) {
+  const SurfacePatches patches = seen(room(), kTruth, MotionInScan{kVelocity, kAcceleration}, 600);
+  MotionPrior prior = sped_up(1);  // half of the acceleration shows in the motion since the last scan
+  const auto error = [&](double slack, double share) {
+    AlignMovingOptions options = kOptions;
+    options.velocity_slack = slack;
+    options.velocity_share = share;
+    return (align_moving(patches, kMiddle, prior, room(), options).motion.velocity - kVelocity).norm();
+  };
+  const double stiff = error(1e-6, 0);
+  EXPECT_NEAR(stiff, 0.25 * kPeriod * kAcceleration.norm(), 0.02) << "half of the acceleration is expected";
+  EXPECT_LT(error(50, 0), 0.02);
+  EXPECT_LT(error(kOptions.velocity_slack, 1), 0.5 * stiff) << "allowed by the change of acceleration seen";
+}
+
+TEST(AcceleratingScan, IsNotOneThatMovesSteadily) {
+  const auto result = align_moving(seen(room(), kTruth, kVelocity, 600), kMiddle, prior_of(kVelocity, Vector6d::Zero()),
+                                   room(), kOptions);
+  EXPECT_LT(result.motion.acceleration.norm(), 0.05);
+}
+
+// The prior alone: where the last two motions lead to, or, before those are known, the motion since the last scan.
+TEST(AcceleratingScan, IsExpectedToGoOn) {
+  for (const bool known : {true, false}) {
+    MotionPrior prior = sped_up(3);
+    prior.known = known;
+    MotionState state{kTruth, {kVelocity}, kMiddle};
+    MovingSystem system;
+    system.H.topLeftCorner<6, 6>() = 1e12 * Matrix6d::Identity();  // the pose is certain
+    add_velocity_prior(prior, kOptions, state, system);
+    const Vector12d step = system.H.ldlt().solve(-system.b);
+    const Vector6d expected = known ? kVelocity : Vector6d(log(prior.T_map_last.inverse() * kTruth) / kPeriod);
+    EXPECT_LT((kVelocity + step.tail<6>() - expected).norm(), 0.01) << known;
+    state.motion.velocity = kVelocity;
+    EXPECT_LT((acceleration_in(prior, state) - known * kAcceleration).norm(), 0.2) << known;
+  }
+}
+
+}  // namespace
+}  // namespace tilth
