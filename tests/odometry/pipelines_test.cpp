@@ -66,18 +66,5 @@ TEST(ConstantVelocity, GoesOnByStampsAndNotByScans) {
   EXPECT_NEAR(motion.predict(1.4).translation().x(), 0.4, 1e-12);  // two scans were lost
 }
 
-TEST(ConstantVelocity, TellsOfTheAccelerationWhereAsked) {
-  const auto at = [](double time) { return Pose(Eigen::Translation3d(1.5 * time * time, 0, 0)); };  // 3 m/s^2
-  ConstantVelocity motion;
-  motion.update(1.0, at(1.0));
-  EXPECT_TRUE(motion.motion_to(1.1, at(1.1), true).acceleration.isZero(0)) << "nothing is known yet";
-  motion.update(1.1, at(1.1));
-  const MotionInScan bent = motion.motion_to(1.2, at(1.2), true), straight = motion.motion_to(1.2, at(1.2), false);
-  EXPECT_NEAR(bent.acceleration[3], 3.0, 1e-9);
-  EXPECT_NEAR(bent.velocity[3], 3.6, 1e-9);
-  EXPECT_NEAR(straight.velocity[3], 3.45, 1e-9) << "on average since the last scan";
-  EXPECT_TRUE(straight.acceleration.isZero(0));
-}
-
 }  // namespace
 }  // namespace tilth

@@ -22,7 +22,6 @@ struct ImprovedFloamOptions {
   double min_range = 0.5;
   double max_range = 100.0;
   bool deskew = true;
-  bool bend = false;
   OutlierOptions outliers;
   PatchOptions patches;
   FeatureOptions features;
@@ -39,7 +38,6 @@ void visit(ImprovedFloamOptions& o, V&& v) {
   v("min_range", o.min_range, Bounds{0, 1e4}, "[m] nearer points are dropped");
   v("max_range", o.max_range, Bounds{0.1, 1e4}, "[m] farther points are dropped");
   v("deskew", o.deskew, "[-] undo the motion within a scan, where points have times");
-  v("bend", o.bend, "[-] ... with the acceleration since the last scan; false: at constant velocity");
   v("outliers", o.outliers, "[-] statistical outlier removal");
   v("patches", o.patches, "[-] patches of surface: neighbourhoods and their covariances");
   v("features", o.features, "[-] edge and plane features among the patches");

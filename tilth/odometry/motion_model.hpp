@@ -1,7 +1,6 @@
 // Constant velocity between scans, on their stamps: whoever drops a scan or turns slower does not change it.
 #pragma once
 
-#include <tilth/core/scan_motion.hpp>
 #include <tilth/core/se3.hpp>
 
 namespace tilth {
@@ -26,15 +25,6 @@ class ConstantVelocity {
   Vector6d velocity_to(double time, const Pose& T_world_lidar) const {
     return updates_ == 0 || time <= time_ ? velocity_
                                           : Vector6d(log(T_world_lidar_.inverse() * T_world_lidar) / (time - time_));
-  }
-
-  /// The motion about `time` of a LiDAR that then is at `T_world_lidar`: at the velocity that leads there or, `bent`,
-  /// with that velocity's change since the one before, half an interval later.
-  MotionInScan motion_to(double time, const Pose& T_world_lidar, bool bent) const {
-    const Vector6d velocity = velocity_to(time, T_world_lidar);
-    if (!bent || updates_ < 2 || time <= time_) return {velocity};
-    const Vector6d change = velocity - velocity_;
-    return {velocity + 0.5 * change, change / (time - time_)};
   }
 
   const Vector6d& velocity() const { return velocity_; }    ///< [rad/s, m/s] in the LiDAR's own frame
