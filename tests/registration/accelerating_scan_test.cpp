@@ -57,6 +57,15 @@ TEST(AcceleratingScan, DiffersFromTheLastOneAsFarAsItMay) {
   EXPECT_LT(error(kOptions.velocity_slack, 1), 0.5 * stiff) << "allowed by the change of acceleration seen";
 }
 
+TEST(AcceleratingScan, MayBeTakenForOneOfConstantVelocity) {
+  const SurfacePatches patches = seen(room(), kTruth, MotionInScan{kVelocity, kAcceleration}, 600);
+  AlignMovingOptions options = kOptions;
+  options.bend = false;
+  const auto straight = align_moving(patches, kMiddle, sped_up(3), room(), options);
+  EXPECT_TRUE(straight.motion.acceleration.isZero(0));
+  EXPECT_GT(pose_error(straight), 5 * pose_error(align_moving(patches, kMiddle, sped_up(3), room(), kOptions)));
+}
+
 TEST(AcceleratingScan, IsNotOneThatMovesSteadily) {
   const auto result = align_moving(seen(room(), kTruth, kVelocity, 600), kMiddle, prior_of(kVelocity, Vector6d::Zero()),
                                    room(), kOptions);
@@ -76,7 +85,7 @@ TEST(AcceleratingScan, IsExpectedToGoOn) {
     const Vector6d expected = known ? kVelocity : Vector6d(log(prior.T_map_last.inverse() * kTruth) / kPeriod);
     EXPECT_LT((kVelocity + step.tail<6>() - expected).norm(), 0.01) << known;
     state.motion.velocity = kVelocity;
-    EXPECT_LT((acceleration_in(prior, state) - known * kAcceleration).norm(), 0.2) << known;
+    EXPECT_LT((acceleration_in(prior, kOptions, state) - known * kAcceleration).norm(), 0.2) << known;
   }
 }
 

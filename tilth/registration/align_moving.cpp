@@ -116,7 +116,7 @@ bool step_moving(const PatchPairs& pairs, const ScanPrior& prior, const AlignMov
   }
   state.T_map_lidar = retract(state.T_map_lidar, step.head<6>());
   state.motion.velocity += step.tail<6>();
-  state.motion.acceleration = acceleration_in(prior.motion, state);
+  state.motion.acceleration = acceleration_in(prior.motion, options, state);
   result.pose.converged =
       step.head<3>().norm() < options.rotation_epsilon && step.segment<3>(3).norm() < options.translation_epsilon;
   if (!result.pose.converged && result.pose.iterations < options.max_iterations) return true;

@@ -21,6 +21,7 @@ struct AlignMovingOptions {
   double kernel_width = 1.3;
   double acceleration = 10.0;
   double angular_acceleration = 20.0;
+  bool bend = true;
   double velocity_slack = 0.01;
   double velocity_share = 0.12;
   TremorOptions tremor = {};
@@ -48,6 +49,7 @@ void visit(AlignMovingOptions& o, V&& v) {
   v("kernel_width", o.kernel_width, Bounds{1e-3, 1e9}, "[sigma] the same in the last iterations");
   v("acceleration", o.acceleration, Bounds{1e-3, 1e6}, "[m/s^2] standard deviation from constant velocity");
   v("angular_acceleration", o.angular_acceleration, Bounds{1e-3, 1e6}, "[rad/s^2] the same of the rotation");
+  v("bend", o.bend, "[-] constant acceleration in a scan; false: constant velocity, that of the motion since the last");
   v("velocity_slack", o.velocity_slack, Bounds{1e-6, 1e6},
     "[m/s^2, rad/s^2] by which the acceleration in a scan may differ from the one before it");
   v("velocity_share", o.velocity_share, Bounds{0, 10},

@@ -53,8 +53,8 @@ void add_pose_prior(const MotionPrior& prior, const AlignMovingOptions& options,
   system.b.head<6>() += weights.cwiseProduct(log(predicted(prior).inverse() * state.T_map_lidar));
 }
 
-Vector6d acceleration_in(const MotionPrior& prior, const MotionState& state) {
-  if (!prior.known) return Vector6d::Zero();
+Vector6d acceleration_in(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state) {
+  if (!prior.known || !options.bend) return Vector6d::Zero();
   return 2 / prior.interval * (state.motion.velocity - motion_since_last(prior, state.T_map_lidar));
 }
 
@@ -63,7 +63,7 @@ void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& opti
   const double rate = 1 / prior.interval;
   const Vector6d motion = motion_since_last(prior, state.T_map_lidar);
   const Vector6d change = rate * (motion - prior.last_motion), surprise = change - prior.last_change;
-  const Vector6d expected = prior.known ? Vector6d(motion + 0.5 * prior.interval * change) : motion;
+  const Vector6d expected = prior.known && options.bend ? Vector6d(motion + 0.5 * prior.interval * change) : motion;
   const auto sigma = [&](double seen) {
     return 0.5 * prior.interval * (options.velocity_slack + options.velocity_share * seen);
   };

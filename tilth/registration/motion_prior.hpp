@@ -41,8 +41,8 @@ void add_pose_prior(const MotionPrior& prior, const AlignMovingOptions& options,
                     MovingSystem& system);
 
 /// What a velocity in the middle of the scan that differs from the motion since the last one says: the scan is bent.
-/// [rad/s^2, m/s^2]; 0 before anything is known of the motion.
-Vector6d acceleration_in(const MotionPrior& prior, const MotionState& state);
+/// [rad/s^2, m/s^2]; 0 before anything is known of the motion, and where options want no scan bent.
+Vector6d acceleration_in(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state);
 
 /// The velocity in the middle of the scan is where the last two motions, half an interval and one and a half before it,
 /// lead to, unless their acceleration is not that seen before: then it may differ.
