@@ -41,6 +41,7 @@ class Program {
     if (id_ != 0) return;
     redirect(out, STDOUT_FILENO);
     redirect(err, STDERR_FILENO);
+    ::signal(SIGINT, SIG_DFL);  // a shell has it ignored by what runs in its background
     ::execv(TILTH_BINARY, argv.data());
     ::_exit(127);
   }
