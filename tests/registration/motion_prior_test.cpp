@@ -32,10 +32,16 @@ TEST(MotionPrior, NextRemembersTheMotionSeen) {
   EXPECT_LT((next(later, alignment).steady_velocity - std::exp(-0.2) * motion).norm(), 1e-9)
       << "at rest since: the memory of a second fades";
 
+  later.last_motion = motion - 0.2 * kSurprise;
+  EXPECT_LT((next(later, alignment).last_change - (Vector6d::Zero() - later.last_motion) / 0.2).norm(), 1e-6)
+      << "at rest since";
+  EXPECT_EQ(after.last_change, Vector6d::Zero()) << "one motion tells of no change";
+
   alignment.pose.matches = 0;  // nothing was seen: the motion is that from before
   EXPECT_EQ(next(prior, alignment).last_motion, prior.last_motion);
   EXPECT_FALSE(next(prior, alignment).known);
   EXPECT_TRUE(next(after, alignment).known);
+  EXPECT_EQ(next(after, alignment).last_change, Vector6d::Zero()) << "nor does an interval of nothing";
 
   MovingAlignment first;  // the first scan, registered to nothing
   first.pose.matches = 50;

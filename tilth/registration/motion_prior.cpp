@@ -38,7 +38,7 @@ MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
   return {T_map_last,
           alignment.motion.velocity,
           motion,
-          prior.known ? Vector6d((motion - prior.last_motion) / prior.interval) : Vector6d(Vector6d::Zero()),
+          known && prior.known ? Vector6d((motion - prior.last_motion) / prior.interval) : Vector6d(Vector6d::Zero()),
           steady,
           0.0,
           faded_sum(prior.tremor, alignment.evidence, prior.interval),
@@ -69,7 +69,7 @@ void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& opti
   };
   const Vector6d weights =
       variances_of(sigma(surprise.head<3>().norm()), sigma(surprise.tail<3>().norm())).cwiseInverse();
-  Eigen::Matrix<double, 6, 12> J;
+  Eigen::Matrix<double, 6, 12> J;  // what the motion is carried on by is taken for given in each step
   J << -rate * Matrix6d::Identity(), Matrix6d::Identity();
   const Eigen::Matrix<double, 12, 6> Jt = J.transpose() * weights.asDiagonal();
   system.H += Jt * J;
