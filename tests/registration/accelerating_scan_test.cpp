@@ -9,24 +9,30 @@ namespace {
 
 const Vector6d kAcceleration = (Vector6d() << 0.1, -0.1, 4.0, 2.0, 0.5, 0.0).finished();
 
-/// Of a sensor that moves with kVelocity in the middle of the scan and has sped up steadily for `periods`.
-MotionPrior sped_up(double periods) {
+enum class SpeedingUp { since_long, since_last };
+
+/// Of a sensor that moves with kVelocity in the middle of the scan and has sped up since long before the last one, or
+/// since the last one only.
+MotionPrior sped_up(SpeedingUp since) {
+  const bool long_since = since == SpeedingUp::since_long;
   const Pose T_map_last = kTruth * MotionInScan{kVelocity, kAcceleration}.after(-kPeriod);
   const Vector6d motion = log(T_map_last.inverse() * kTruth) / kPeriod;
-  const Vector6d change = periods >= 2 ? kAcceleration : Vector6d(Vector6d::Zero());
   return {.T_map_last = T_map_last,
           .velocity = kVelocity - kPeriod * kAcceleration,
-          .last_motion = motion - (periods >= 1.5 ? 1.0 : 0.5) * kPeriod * kAcceleration,
-          .last_change = change,
+          .last_motion = motion - (long_since ? 1.0 : 0.5) * kPeriod * kAcceleration,
+          .last_change = long_since ? kAcceleration : Vector6d(Vector6d::Zero()),
           .steady_velocity = motion,
           .interval = kPeriod,
           .known = true};
 }
 
+MovingAlignment aligned(SpeedingUp since, const AlignMovingOptions& options) {
+  const SurfacePatches patches = seen(room(), kTruth, MotionInScan{kVelocity, kAcceleration}, 600);
+  return align_moving(patches, kMiddle, sped_up(since), room(), options);
+}
+
 TEST(AcceleratingScan, IsStraightenedByItsAcceleration) {
-  const MotionInScan motion{kVelocity, kAcceleration};
-  const SurfacePatches patches = seen(room(), kTruth, motion, 600);
-  const auto result = align_moving(patches, kMiddle, sped_up(3), room(), kOptions);
+  const auto result = aligned(SpeedingUp::since_long, kOptions);
   EXPECT_TRUE(result.pose.converged);
   EXPECT_LT(pose_error(result), 3e-4);
   EXPECT_LT((result.motion.velocity - kVelocity).norm(), 0.02);
@@ -34,22 +40,19 @@ TEST(AcceleratingScan, IsStraightenedByItsAcceleration) {
 }
 
 TEST(AcceleratingScan, MayBeTheFirstThatIs) {
-  const MotionInScan motion{kVelocity, kAcceleration};
-  const SurfacePatches patches = seen(room(), kTruth, motion, 600);
-  const auto result = align_moving(patches, kMiddle, sped_up(1), room(), kOptions);
+  const auto result = aligned(SpeedingUp::since_last, kOptions);
   EXPECT_TRUE(result.pose.converged);
   EXPECT_LT(pose_error(result), 3e-3);
   EXPECT_LT((result.motion.velocity - kVelocity).norm(), 0.3 * kPeriod * kAcceleration.norm());
 }
 
 TEST(AcceleratingScan, DiffersFromTheLastOneAsFarAsItMay) {
-  const SurfacePatches patches = seen(room(), kTruth, MotionInScan{kVelocity, kAcceleration}, 600);
-  MotionPrior prior = sped_up(1);  // half of the acceleration shows in the motion since the last scan
   const auto error = [&](double slack, double share) {
     AlignMovingOptions options = kOptions;
     options.velocity_slack = slack;
     options.velocity_share = share;
-    return (align_moving(patches, kMiddle, prior, room(), options).motion.velocity - kVelocity).norm();
+    // Half of the acceleration shows in the motion since the last scan.
+    return (aligned(SpeedingUp::since_last, options).motion.velocity - kVelocity).norm();
   };
   const double stiff = error(1e-6, 0);
   EXPECT_NEAR(stiff, 0.25 * kPeriod * kAcceleration.norm(), 0.02) << "half of the acceleration is expected";
@@ -58,12 +61,11 @@ TEST(AcceleratingScan, DiffersFromTheLastOneAsFarAsItMay) {
 }
 
 TEST(AcceleratingScan, MayBeTakenForOneOfConstantVelocity) {
-  const SurfacePatches patches = seen(room(), kTruth, MotionInScan{kVelocity, kAcceleration}, 600);
   AlignMovingOptions options = kOptions;
   options.bend = false;
-  const auto straight = align_moving(patches, kMiddle, sped_up(3), room(), options);
+  const auto straight = aligned(SpeedingUp::since_long, options);
   EXPECT_TRUE(straight.motion.acceleration.isZero(0));
-  EXPECT_GT(pose_error(straight), 5 * pose_error(align_moving(patches, kMiddle, sped_up(3), room(), kOptions)));
+  EXPECT_GT(pose_error(straight), 5 * pose_error(aligned(SpeedingUp::since_long, kOptions)));
 }
 
 TEST(AcceleratingScan, IsNotOneThatMovesSteadily) {
@@ -75,7 +77,7 @@ TEST(AcceleratingScan, IsNotOneThatMovesSteadily) {
 // The prior alone: where the last two motions lead to, or, before those are known, the motion since the last scan.
 TEST(AcceleratingScan, IsExpectedToGoOn) {
   for (const bool known : {true, false}) {
-    MotionPrior prior = sped_up(3);
+    MotionPrior prior = sped_up(SpeedingUp::since_long);
     prior.known = known;
     MotionState state{kTruth, {kVelocity}, kMiddle};
     MovingSystem system;
