@@ -7,6 +7,7 @@
 #include <tbb/global_control.h>
 
 #include <tilth/odometry/make_odometry.hpp>
+#include <tilth/preprocess/deskew.hpp>
 #include <tilth/simulation/simulator.hpp>
 
 namespace tilth {
@@ -82,6 +83,29 @@ double heading_gained(const Simulator& simulator, std::size_t first, std::size_t
 TEST(TilthOdometry, GainsNoHeadingInSharpTurns) {
   const Simulator simulator("office", simulation_options("office", {{"seed", "7"}, {"speed", "2.5"}}));
   EXPECT_LT(std::abs(heading_gained(simulator, 150, 270)), 6e-4);
+}
+
+// Maps are made of scans that are straightened by it, on platforms that shake as well.
+TEST(TilthOdometry, TellsHowAScanWasBent) {
+  const Simulator simulator("corridor_rough", simulation_options("corridor_rough", {{"seed", "7"}}));
+  const auto odometry = make_odometry("tilth", {});
+  double bent = 0, straight = 0;  // [m] summed over points
+  for (std::size_t i = 130; i < 160; ++i) {
+    const Scan scan = simulator.scan(i).scan;
+    const OdometryResult result = odometry->register_scan(scan);
+    if (i < 145) continue;
+    const double pose_time = result.stamp - scan.stamp;
+    const PointCloud by_motion = deskew(result.filtered, result.motion, pose_time);
+    const PointCloud by_velocity = deskew(result.filtered, {result.motion.velocity}, pose_time);
+    const Pose T_lidar_world = interpolate(simulator.truth(), result.stamp).inverse();
+    for (std::size_t k = 0; k < result.filtered.size(); k += 50) {
+      const Pose T_world_then = interpolate(simulator.truth(), scan.stamp + double(result.filtered.times[k]));
+      const Eigen::Vector3d truth = T_lidar_world * T_world_then * result.filtered.points[k];
+      bent += (by_motion.points[k] - truth).norm();
+      straight += (by_velocity.points[k] - truth).norm();
+    }
+  }
+  EXPECT_LT(bent, 0.75 * straight) << "half as far off";
 }
 
 TEST(TilthOdometry, TheFirstPoseIsExactAndNoOtherIs) {
