@@ -69,8 +69,8 @@ void pose_and_velocity(benchmark::State& state) {
     patches.push_back(c.scan.patches[i * n / std::min(n, most)]);
   const Pose T_start = retract(c.scan.T_world_middle, kOff);
   const MotionPrior prior{.T_map_last = T_start, .interval = interval, .known = true};  // which stands still
-  MovingAlignment result;
-  for (auto _ : state) result = align_moving(patches, middle, prior, look_up_in(c.map), options.align);
+  ContinuousTimeAlignment result;
+  for (auto _ : state) result = align_continuous_time(patches, middle, prior, look_up_in(c.map), options.align);
   report(state, result.pose, c.scan.T_world_middle);
 }
 

@@ -12,8 +12,8 @@ std::string progress_line(std::size_t done, std::optional<std::size_t> total, do
   const double rate = double(done) / seconds;
   char text[128];
   if (total && *total >= done) {
-    const double share = 100.0 * double(done) / double(*total);
-    std::snprintf(text, sizeof text, "%zu of %zu scans  %3.0f %%  %.0f scans/s  %.0f s left", done, *total, share, rate,
+    const double ratio = 100.0 * double(done) / double(*total);
+    std::snprintf(text, sizeof text, "%zu of %zu scans  %3.0f %%  %.0f scans/s  %.0f s left", done, *total, ratio, rate,
                   double(*total - done) / rate);
   } else {
     std::snprintf(text, sizeof text, "%zu scans  %.0f scans/s", done, rate);

@@ -21,7 +21,7 @@ std::string counts_line(const RunRecord& record) {
          " skipped, " + counted(record.map.size(), "point") + " in the map";
 }
 
-std::string way_line(const RunFigures& figures) {
+std::string path_line(const RunFigures& figures) {
   char text[128];
   std::snprintf(text, sizeof text, "%.2f m in %.1f s; the end lies %.3f m from the start", figures.distance,
                 figures.recorded_seconds, figures.end_to_start);
@@ -68,7 +68,7 @@ void report_run(const RunRecord& record, const std::string& folder, Console& con
   const RunFigures figures = figures_of(record);
   console.note("ended: " + record.ended);
   console.note(counts_line(record));
-  console.note(way_line(figures));
+  console.note(path_line(figures));
   if (record.loops) console.note(loops_line(*record.loops));
   console.note(speed_line(figures, record.peak_megabytes));
   if (record.evaluation) console.note(evaluation_table(*record.evaluation));

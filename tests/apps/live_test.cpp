@@ -144,7 +144,7 @@ TEST_F(Live, AFolderIsWrittenByOneAtATime) {
 TEST_F(Live, WithLoopClosureTheWayIsCorrectedAtTheEnd) {
   record("vlp16", "5");
   const auto program = live("out", {"--idle", "1", "--queue", "100", "--loop-closure", "--set",
-                                    "loop.keyframe.distance=0.1", "--set", "loop.detect.min_way=2"});
+                                    "loop.keyframe.distance=0.1", "--set", "loop.detect.min_path=2"});
   ASSERT_EQ(tilth(play("1")).exit_code, 0);
   const Outcome outcome = program->wait();
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;

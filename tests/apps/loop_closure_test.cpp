@@ -28,7 +28,7 @@ std::vector<std::string> run_in_room(const TemporaryFolder& folder) {
           "--set",
           "loop.keyframe.distance=0.1",
           "--set",
-          "loop.detect.min_way=0.5",
+          "loop.detect.min_path=0.5",
           "--set",
           "loop.submap_from=1"};
 }
@@ -54,7 +54,7 @@ TEST(LoopClosureRun, WritesWhatItFound) {
   const std::size_t columns = std::size_t(std::count(closures.begin(), closures.begin() + closures.find('\n'), ','));
   EXPECT_EQ(std::size_t(std::count(closures.begin(), closures.end(), ',')), columns * lines_in(closures));
   const std::string summary = text_of(out / "summary.json");
-  for (const char* key : {"\"loop_closure\"", "\"accepted\"", "\"loop.detect.min_way\"", "\"loop_verification\""})
+  for (const char* key : {"\"loop_closure\"", "\"accepted\"", "\"loop.detect.min_path\"", "\"loop_verification\""})
     EXPECT_NE(summary.find(key), std::string::npos) << key;
 }
 

@@ -89,7 +89,7 @@ class RangeImages {
     const RangeImage image = read_png(folder_ / name, PNG_FORMAT_LINEAR_Y);
     Scan scan{stamp, {}};
     for (std::size_t column = 0; column < image.width; ++column) {
-      const double share = (double(column) + 0.5) / image.width, azimuth = std::numbers::pi * (1 - 2 * share);
+      const double ratio = (double(column) + 0.5) / image.width, azimuth = std::numbers::pi * (1 - 2 * ratio);
       for (std::size_t row = 0; row < image.height; ++row) {
         const double range = kStep * image.values[row * image.width + column], elevation = elevations_[row];
         if (range < kLeast || mask_.values[row * image.width + column] == 0) continue;

@@ -128,16 +128,16 @@ TEST(OdometryOnRecordings, CarPullsAwayFromRest) {
     const OdometryResult result = odometry->register_scan(images.scan(i, gps[i].stamp, kPeriod));
     EXPECT_EQ(result.alignment.degenerate_directions, 0) << "scan " << i;
     if (i + 1 == gps.size()) break;
-    const double share = (result.stamp - gps[i].stamp) / (gps[i + 1].stamp - gps[i].stamp);
+    const double ratio = (result.stamp - gps[i].stamp) / (gps[i + 1].stamp - gps[i].stamp);
     estimate.push_back(result.T_world_lidar.translation());
-    truth.push_back(gps[i].position + share * (gps[i + 1].position - gps[i].position));
+    truth.push_back(gps[i].position + ratio * (gps[i + 1].position - gps[i].position));
   }
   EXPECT_NEAR((estimate.back() - estimate.front()).norm(), (truth.back() - truth.front()).head<2>().norm(), 0.2);
   EXPECT_LT(distance_in_plane(estimate, truth), 0.1);  // of which 5 cm are the jitter of the GPS poses
 }
 
 /// The share of the upright things of `later`, 4 to 40 m away, that lie within 0.1 m of a point of `earlier`.
-double share_in_place(const PointCloud& later, const Pose& T_earlier_later, const KdTree& earlier) {
+double ratio_in_place(const PointCloud& later, const Pose& T_earlier_later, const KdTree& earlier) {
   std::size_t looked_at = 0, in_place = 0;
   for (const Eigen::Vector3d& p : later.points) {
     if (p.z() < -1 || p.z() > 1.5 || p.norm() < 4 || p.norm() > 40) continue;
@@ -160,9 +160,9 @@ TEST(OdometryOnRecordings, CarBringsItsLastScanOntoItsFirst) {
   std::vector<PointCloud> clouds;
   while (const auto scan = source->next()) clouds.push_back(scan->cloud);
   const KdTree first(clouds.front().points);
-  const double ours = share_in_place(clouds.back(), poses.front().inverse() * poses.back(), first);
+  const double ours = ratio_in_place(clouds.back(), poses.front().inverse() * poses.back(), first);
   const double theirs =
-      share_in_place(clouds.back(), given.front().T_world_lidar.inverse() * given[15].T_world_lidar, first);
+      ratio_in_place(clouds.back(), given.front().T_world_lidar.inverse() * given[15].T_world_lidar, first);
   EXPECT_GE(ours, 0.5);
   EXPECT_GE(ours, 4 * theirs);
 }

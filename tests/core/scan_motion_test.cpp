@@ -34,14 +34,14 @@ TEST(ScanMotion, IsTheIntegralOfItsVelocity) {
 
 TEST(ScanMotion, IsTheSameSeenFromAnotherInstant) {
   MotionInScan motion = some_motion();
-  for (std::size_t i = 0; i < motion.tremor.knots.size(); ++i) {
+  for (std::size_t i = 0; i < motion.vibration.knots.size(); ++i) {
     const double sign = i % 2 == 0 ? 1 : -1;
-    motion.tremor.knots[i] = sign * (Vector6d() << 2e-3, -1e-3, 1e-3, 1e-3, 2e-3, -1e-3).finished();
+    motion.vibration.knots[i] = sign * (Vector6d() << 2e-3, -1e-3, 1e-3, 1e-3, 2e-3, -1e-3).finished();
   }
-  const double share = 0.75;
+  const double ratio = 0.75;
   const ScanMotion middle(motion, kMiddle, kDuration);
-  const ScanMotion later(motion.from((share - 0.5) * kDuration, share), share * kDuration, kDuration);
-  const Pose T_middle_later = middle.at(share * kDuration);
+  const ScanMotion later(motion.from((ratio - 0.5) * kDuration, ratio), ratio * kDuration, kDuration);
+  const Pose T_middle_later = middle.at(ratio * kDuration);
   const Eigen::Vector3d p(12, -7, 1);
   for (const double time : {0.0, 0.0125, 0.05, 0.0875, 0.1}) {
     EXPECT_LT((T_middle_later * later.move(p, time) - middle.move(p, time)).norm(), 4e-3) << time << ": 0.3 mrad";

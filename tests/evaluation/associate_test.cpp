@@ -43,7 +43,7 @@ TEST(Associate, OnePoseMayBeTakenTwice) {
 }
 
 TEST(Associate, OffsetIsAddedToTheEstimate) {
-  const AssociationOptions options{.max_dt = 0.01, .time_offset = 0.5};
+  const StampAssociationOptions options{.max_dt = 0.01, .time_offset = 0.5};
   EXPECT_EQ(stamps_of(associate(at({0, 1, 2}), at({0.5, 1.5}), options).truth), (Stamps{1, 2}));
   EXPECT_EQ(stamps_of(associate(at({1, 2}), at({-0.5, 0.5, 1.5}), options).estimate), (Stamps{0.5, 1.5}));
 }

@@ -22,12 +22,12 @@ TEST(FilterScore, CountsByKindEdgeAndRange) {
   const LabelledCloud scan = made_scan();
   const FilterScore score = score_filter(scan, std::vector<std::uint8_t>{1, 1, 1, 0, 1, 1, 0, 1, 0, 1, 0});
   EXPECT_EQ(score.scans, 1U);
-  EXPECT_NEAR(score.of(PointKind::surface).kept_share(), 5.0 / 6, 1e-12);
-  EXPECT_EQ(score.of(PointKind::outlier).removed_share(), 1.0);
-  EXPECT_EQ(score.of(PointKind::mixed).removed_share(), 0.5);
-  EXPECT_EQ(score.of(PointKind::ghost).removed_share(), 1.0);
-  EXPECT_EQ(score.of(PointKind::moving).kept_share(), 1.0);
-  EXPECT_EQ(score.edges.kept_share(), 0.5);
+  EXPECT_NEAR(score.of(PointKind::surface).kept_ratio(), 5.0 / 6, 1e-12);
+  EXPECT_EQ(score.of(PointKind::outlier).removed_ratio(), 1.0);
+  EXPECT_EQ(score.of(PointKind::mixed).removed_ratio(), 0.5);
+  EXPECT_EQ(score.of(PointKind::ghost).removed_ratio(), 1.0);
+  EXPECT_EQ(score.of(PointKind::moving).kept_ratio(), 1.0);
+  EXPECT_EQ(score.edges.kept_ratio(), 0.5);
   EXPECT_EQ(score.false_points().before, 4U);
   EXPECT_NEAR(score.accuracy(), 9.0 / 11, 1e-12);  // wrong: one edge point removed, one mixed point kept
   EXPECT_NEAR(score.precision(), 3.0 / 4, 1e-12);
@@ -53,7 +53,7 @@ TEST(FilterScore, CountsFalseFeatures) {
   EXPECT_EQ(score.features_before.false_edges, 2U);  // 6 outlier, 7 mixed
   EXPECT_EQ(score.features_before.off_edge, 2U);     // 0 plain surface, 9 moving
   EXPECT_EQ(score.features_before.false_planes, 1U);
-  EXPECT_NEAR(score.features_before.false_share(), 0.3, 1e-12);
+  EXPECT_NEAR(score.features_before.false_ratio(), 0.3, 1e-12);
   score.features_after = count_features(scan.labels, std::vector<std::uint32_t>{0, 2, 6}, {});
   EXPECT_NEAR(score.pseudo_reduction(), 0.5, 1e-12);
 }
@@ -65,15 +65,15 @@ TEST(FilterScore, AddsUp) {
   score += score_filter(scan, none);
   EXPECT_EQ(score.scans, 2U);
   EXPECT_EQ(score.edges.before, 4U);
-  EXPECT_EQ(score.edges.kept_share(), 0.5);
+  EXPECT_EQ(score.edges.kept_ratio(), 0.5);
   EXPECT_EQ(score.obvious.before, 4U);
   EXPECT_NEAR(score.accuracy(), (7.0 + 4.0) / 22, 1e-12);
 }
 
 TEST(FilterScore, SharesOfNothingAreHarmless) {
   const FilterScore score;
-  EXPECT_EQ(score.of(PointKind::ghost).removed_share(), 0.0);
-  EXPECT_EQ(score.of(PointKind::ghost).kept_share(), 1.0);
+  EXPECT_EQ(score.of(PointKind::ghost).removed_ratio(), 0.0);
+  EXPECT_EQ(score.of(PointKind::ghost).kept_ratio(), 1.0);
   EXPECT_EQ(score.precision(), 0.0);
 }
 

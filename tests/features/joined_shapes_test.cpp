@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <tilth/core/least_spread.hpp>
+#include <tilth/core/symmetric_eigen.hpp>
 #include <tilth/features/joined_shapes.hpp>
 
 namespace tilth {
@@ -28,7 +28,7 @@ PlaneShape shape_of(const RunSet& set) {
   for (const Moments* other : {set[1], set[2]}) {
     if (other != nullptr) joined.add(*other);
   }
-  return {joined.covariance_entries(), spreads(joined.covariance())};
+  return {joined.covariance_entries(), eigenvalues(joined.covariance())};
 }
 
 TEST(JoinedShapes, OfManySetsAreThoseOfEach) {

@@ -161,7 +161,7 @@ TEST(Segmentation, KeepsOneGroundPointInFiveAndTheSeam) {
   EXPECT_TRUE(scan.outliers.empty());
 }
 
-// Lone returns, one in each of 50 columns of every row: outliers where the row is above the seventh, one column in
+// Isolated returns, one in each of 50 columns of every row: outliers where the row is above the seventh, one column in
 // five.
 TEST(Segmentation, KeepsNoiseAboveTheGroundRowsAsOutliers) {
   PointCloud cloud;

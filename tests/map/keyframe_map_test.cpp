@@ -20,21 +20,21 @@ PointCloud point(double x) {
 }
 
 // One keyframe a second and `step` metres.
-KeyframeMap map_of_straight_way(const KeyframeMapOptions& options, int keyframes, double step) {
+KeyframeMap map_of_straight_path(const KeyframeMapOptions& options, int keyframes, double step) {
   KeyframeMap map(options);
   for (int i = 0; i < keyframes; ++i) map.insert(i, at(0.05 + step * i), {point(0), point(0)});
   return map;
 }
 
 TEST(KeyframeMap, TakesKeyframesWithinTheRadius) {
-  const KeyframeMap map = map_of_straight_way({.search_radius = 50, .density = 1}, 100, 1.0);
+  const KeyframeMap map = map_of_straight_path({.search_radius = 50, .density = 1}, 100, 1.0);
   const Numbers numbers = map.surrounding(Eigen::Vector3d(0.05, 0, 0), 100);
   ASSERT_EQ(numbers.size(), 51u);  // 0 .. 50 m
   EXPECT_EQ(numbers.back(), 50u);
 }
 
 TEST(KeyframeMap, TakesOneKeyframeACellNearestToTheirMean) {
-  const KeyframeMap map = map_of_straight_way({.density = 1}, 20, 0.3);
+  const KeyframeMap map = map_of_straight_path({.density = 1}, 20, 0.3);
   // cells of 0.05 .. 0.95, 1.25 .. 1.85, 2.15 .. 2.75, 3.05 .. 3.95, 4.25 .. 4.85, 5.15 .. 5.75
   EXPECT_EQ(map.surrounding(Eigen::Vector3d::Zero(), 100), (Numbers{1, 5, 8, 11, 15, 18}));
 }
@@ -52,7 +52,7 @@ TEST(KeyframeMap, MeansOfNumbersMissAfterARevisit) {
 }
 
 TEST(KeyframeMap, AddsTheRecentOnesAgain) {
-  const KeyframeMap map = map_of_straight_way({.search_radius = 2.5, .density = 0.1, .recent = 3}, 10, 1.0);
+  const KeyframeMap map = map_of_straight_path({.search_radius = 2.5, .density = 0.1, .recent = 3}, 10, 1.0);
   EXPECT_EQ(map.surrounding(Eigen::Vector3d(9.05, 0, 0), 9.0), (Numbers{7, 8, 9, 7, 8, 9}));
   EXPECT_EQ(map.surrounding(Eigen::Vector3d(0.05, 0, 0), 9.0), (Numbers{0, 1, 2, 7, 8, 9}));
 }

@@ -12,12 +12,12 @@ constexpr double kPlace = 12.0;  // [m] along the first corridor
 
 /// Round the block of sim://office, of four corridors: 83 m a lap.
 Simulator round_the_block(int laps) {
-  std::string way = "0,0";
-  for (int lap = 0; lap < laps; ++lap) way += ";24.43,0;24.43,15.57;-1.44,15.57;-1.44,0";
+  std::string path = "0,0";
+  for (int lap = 0; lap < laps; ++lap) path += ";24.43,0;24.43,15.57;-1.44,15.57;-1.44,0";
   const SimulationOptions options =
       simulation_options("office", {{"cruise", "2"}, {"columns", "200"}, {"people", "0"}});
   Scene scene = make_scene("office", options.scene);
-  scene.trajectory = drive_through(parse_waypoints(way + ";20,0", options.scene.height), options.way, {});
+  scene.trajectory = drive_through(parse_waypoints(path + ";20,0", options.scene.height), options.path, {});
   return Simulator(std::move(scene), options);
 }
 

@@ -55,13 +55,13 @@ TEST(LegoLoam, GivesThePoseOfTheEndOfTheScan) {
   options.stamp_at_start = true;
   EXPECT_EQ(LegoLoam(options).register_scan(hall(7.0, 0)).stamp, 7.0);
   options = {};
-  options.point_times = PointTimes::none;
+  options.point_times = PointTimeSource::none;
   EXPECT_EQ(LegoLoam(options).register_scan(hall(7.0, 0)).stamp, 7.0);
 }
 
 TEST(LegoLoam, KeepsAKeyframeEveryThirtyCentimetres) {
   LegoLoamOptions options;
-  options.point_times = PointTimes::none;  // each scan is taken at once
+  options.point_times = PointTimeSource::none;  // each scan is taken at once
   options.mapping.every = 1;
   options.mapping.interval = 0;
   options.mapping.keyframes.density = 0.05;  // all of them are in the local map

@@ -116,13 +116,13 @@ TEST(TilthOdometry, TheFirstPoseIsExactAndNoOtherIs) {
   for (std::size_t i = 101; i < 104; ++i) {
     const Matrix6d later = odometry->register_scan(simulator.scan(i).scan).covariance.value();
     EXPECT_GT(later.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0) << i;
-    EXPECT_GT(later.diagonal().head<2>().minCoeff(), 1e-8) << "by the tremor of the first scan, at least";
+    EXPECT_GT(later.diagonal().head<2>().minCoeff(), 1e-8) << "by the vibration of the first scan, at least";
   }
 }
 
 // [rad] of the turn that the last second of six has on average in the frame of the first pose, which then shook.
-double lasting_turn(const Simulator& simulator, const std::string& settle_after, std::size_t first) {
-  const auto odometry = make_odometry("tilth", {{"settle_after", settle_after}});
+double lasting_turn(const Simulator& simulator, const std::string& reanchor_after, std::size_t first) {
+  const auto odometry = make_odometry("tilth", {{"reanchor_after", reanchor_after}});
   Pose T_truth_world;
   Eigen::Vector3d turns = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < 60; ++i) {
@@ -134,17 +134,17 @@ double lasting_turn(const Simulator& simulator, const std::string& settle_after,
   return turns.norm() / 10;
 }
 
-TEST(TilthOdometry, TheWorldSettlesWhereTheFirstScanIs) {
-  double settled = 0, unsettled = 0;
+TEST(TilthOdometry, TheWorldIsReanchoredWhereTheFirstScanIs) {
+  double settled = 0, unanchored = 0;
   for (const std::string seed : {"8", "12"}) {
     const Simulator simulator("corridor_rough", simulation_options("corridor_rough", {{"seed", seed}}));
     for (const std::size_t first : {55, 140}) {
       settled += lasting_turn(simulator, "4", first);
-      unsettled += lasting_turn(simulator, "1e6", first);
+      unanchored += lasting_turn(simulator, "1e6", first);
     }
   }
-  EXPECT_GT(unsettled, 0.02) << "or else the platform does not shake";
-  EXPECT_LT(settled, 0.5 * unsettled);
+  EXPECT_GT(unanchored, 0.02) << "or else the platform does not shake";
+  EXPECT_LT(settled, 0.5 * unanchored);
 }
 
 TEST(TilthOdometry, BeginsInTheMiddleOfADrive) {
@@ -180,8 +180,8 @@ TEST(TilthOdometry, SurvivesAScanShiftedAway) {
 TEST(TilthOdometry, SurvivesAScanOfNoise) {
   const auto noisy = [](const Simulator&, std::size_t i, Scan scan) {
     std::mt19937 rng(3);
-    std::uniform_real_distribution<double> share(0.02, 1.0);
-    for (Eigen::Vector3d& p : scan.cloud.points) p *= i == 30 ? share(rng) : 1.0;
+    std::uniform_real_distribution<double> ratio(0.02, 1.0);
+    for (Eigen::Vector3d& p : scan.cloud.points) p *= i == 30 ? ratio(rng) : 1.0;
     return std::optional(scan);
   };
   EXPECT_LT(drive({"corridor", 100, 50, noisy, 33}).worst, 0.02);

@@ -50,8 +50,8 @@ RunRecord record_of(std::size_t points, const std::string& name) {
     row.register_ms = 5 + i % 3;
     row.stage_ms = {1.0 + i % 2, 2.0};
     record.scans.rows.push_back(row);
-    const std::size_t share = points * std::size_t(i + 1) / kScans - points * std::size_t(i) / kScans;
-    record.map.add(hall(random, share), Pose::Identity(), 0.0, {});
+    const std::size_t ratio = points * std::size_t(i + 1) / kScans - points * std::size_t(i) / kScans;
+    record.map.add(hall(random, ratio), Pose::Identity(), 0.0, {});
   }
   record.evaluation = evaluate(truth, record.trajectory, {});
   return record;

@@ -88,13 +88,13 @@ TEST(Sweep, ReadsWhatScansAndScoreTell) {
   EXPECT_TRUE(study_figures(folder / "").empty());
   write_text(folder / "scans.csv", "points_in,outliers,edges,planes,ms_outliers\n100,4,10,20,1.5\n100,6,20,40,2.5\n");
   write_text(folder / "score.json", R"([{"removed_obvious":0.9,"kept_edges":0.8,"kept_surface":0.7,"accuracy":0.6,)"
-                                    R"("pseudo_feature_reduction":0.5,"false_edge_share_after":0.04}])");
+                                    R"("pseudo_feature_reduction":0.5,"false_edge_ratio_after":0.04}])");
   const StudyFigures figures = study_figures(folder / "");
   EXPECT_DOUBLE_EQ(figures.at("removed_percent"), 5);
   EXPECT_DOUBLE_EQ(figures.at("edges"), 15);
   EXPECT_DOUBLE_EQ(figures.at("outliers_ms"), 2);
   EXPECT_DOUBLE_EQ(figures.at("removed_obvious_percent"), 90);
-  EXPECT_DOUBLE_EQ(figures.at("pseudo_share_percent"), 4);
+  EXPECT_DOUBLE_EQ(figures.at("pseudo_ratio_percent"), 4);
   write_text(folder / "score.json", "[{}]");
   EXPECT_THROW(study_figures(folder / ""), Error);
 }

@@ -51,7 +51,7 @@ TEST(RingSupport, KeepsAllOfAnEmptyRoom) {
   EXPECT_EQ(std::count(keep.begin(), keep.end(), 0), 0);
 }
 
-TEST(RingSupport, RemovesLonePointsBeforeAndBehindTheWall) {
+TEST(RingSupport, RemovesIsolatedPointsBeforeAndBehindTheWall) {
   PointCloud cloud = long_room();
   move_to(cloud, 100, 2, 1.0);
   move_to(cloud, 250, 0, 1.7);
@@ -110,10 +110,10 @@ TEST(RingSupport, SaysWhereRingsGiveNoOrder) {
 }
 
 TEST(RingSupport, DoesNotLetAPointSupportItself) {
-  PointCloud lone;
-  lone.points = {{3, 0, 0}};
-  lone.rings = {0};
-  EXPECT_FALSE(ring_support(lone, {}));
+  PointCloud isolated;
+  isolated.points = {{3, 0, 0}};
+  isolated.rings = {0};
+  EXPECT_FALSE(ring_support(isolated, {}));
 }
 
 /// The default filter on every 40th scan of a scene.
@@ -133,15 +133,15 @@ TEST(RingSupport, ReachesThePapersFiguresByDefault) {
   for (const char* scene : {"corridor", "plaza", "hospital"}) {
     const FilterScore score = score_of(scene);
     EXPECT_GT(score.of(PointKind::outlier).before, 1000U) << scene;
-    EXPECT_GT(score.of(PointKind::outlier).removed_share(), 0.94) << scene;
-    EXPECT_GT(score.obvious.removed_share(), 0.93) << scene;
-    EXPECT_GT(score.edges.kept_share(), 0.99) << scene;
-    EXPECT_GT(score.of(PointKind::surface).kept_share(), 0.985) << scene;
-    EXPECT_GT(score.of(PointKind::moving).kept_share(), 0.99) << scene;
+    EXPECT_GT(score.of(PointKind::outlier).removed_ratio(), 0.94) << scene;
+    EXPECT_GT(score.obvious.removed_ratio(), 0.93) << scene;
+    EXPECT_GT(score.edges.kept_ratio(), 0.99) << scene;
+    EXPECT_GT(score.of(PointKind::surface).kept_ratio(), 0.985) << scene;
+    EXPECT_GT(score.of(PointKind::moving).kept_ratio(), 0.99) << scene;
     EXPECT_GT(score.accuracy(), 0.98) << scene;
     for (const KeptCount& count : score.surface_by_range) {
       if (count.before > 500) {
-        EXPECT_GT(count.kept_share(), 0.95) << scene;
+        EXPECT_GT(count.kept_ratio(), 0.95) << scene;
       }
     }
   }

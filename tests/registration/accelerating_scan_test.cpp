@@ -26,9 +26,9 @@ MotionPrior sped_up(SpeedingUp since) {
           .known = true};
 }
 
-MovingAlignment aligned(SpeedingUp since, const AlignMovingOptions& options) {
+ContinuousTimeAlignment aligned(SpeedingUp since, const ContinuousTimeOptions& options) {
   const SurfacePatches patches = seen(room(), kTruth, MotionInScan{kVelocity, kAcceleration}, 600);
-  return align_moving(patches, kMiddle, sped_up(since), room(), options);
+  return align_continuous_time(patches, kMiddle, sped_up(since), room(), options);
 }
 
 TEST(AcceleratingScan, IsStraightenedByItsAcceleration) {
@@ -47,10 +47,10 @@ TEST(AcceleratingScan, MayBeTheFirstThatIs) {
 }
 
 TEST(AcceleratingScan, DiffersFromTheLastOneAsFarAsItMay) {
-  const auto error = [&](double slack, double share) {
-    AlignMovingOptions options = kOptions;
+  const auto error = [&](double slack, double ratio) {
+    ContinuousTimeOptions options = kOptions;
     options.velocity_slack = slack;
-    options.velocity_share = share;
+    options.velocity_ratio = ratio;
     // Half of the acceleration shows in the motion since the last scan.
     return (aligned(SpeedingUp::since_last, options).motion.velocity - kVelocity).norm();
   };
@@ -61,7 +61,7 @@ TEST(AcceleratingScan, DiffersFromTheLastOneAsFarAsItMay) {
 }
 
 TEST(AcceleratingScan, MayBeTakenForOneOfConstantVelocity) {
-  AlignMovingOptions options = kOptions;
+  ContinuousTimeOptions options = kOptions;
   options.bend = false;
   const auto straight = aligned(SpeedingUp::since_long, options);
   EXPECT_TRUE(straight.motion.acceleration.isZero(0));
@@ -69,8 +69,8 @@ TEST(AcceleratingScan, MayBeTakenForOneOfConstantVelocity) {
 }
 
 TEST(AcceleratingScan, IsNotOneThatMovesSteadily) {
-  const auto result = align_moving(seen(room(), kTruth, kVelocity, 600), kMiddle, prior_of(kVelocity, Vector6d::Zero()),
-                                   room(), kOptions);
+  const auto result = align_continuous_time(seen(room(), kTruth, kVelocity, 600), kMiddle,
+                                            prior_of(kVelocity, Vector6d::Zero()), room(), kOptions);
   EXPECT_LT(result.motion.acceleration.norm(), 0.05);
 }
 
@@ -80,7 +80,7 @@ TEST(AcceleratingScan, IsExpectedToGoOn) {
     MotionPrior prior = sped_up(SpeedingUp::since_long);
     prior.known = known;
     MotionState state{kTruth, {kVelocity}, kMiddle};
-    MovingSystem system;
+    ContinuousTimeSystem system;
     system.H.topLeftCorner<6, 6>() = 1e12 * Matrix6d::Identity();  // the pose is certain
     add_velocity_prior(prior, kOptions, state, system);
     const Vector12d step = system.H.ldlt().solve(-system.b);

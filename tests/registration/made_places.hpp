@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include <tilth/registration/align_moving.hpp>
+#include <tilth/registration/continuous_time_registration.hpp>
 
 namespace tilth {
 
@@ -87,7 +87,7 @@ inline SurfacePatches seen(const Place& place, const Pose& T_map_middle, const V
   return seen(place, T_map_middle, MotionInScan{velocity}, count);
 }
 
-inline const AlignMovingOptions kOptions{.max_distance = 100};
+inline const ContinuousTimeOptions kOptions{.max_distance = 100};
 
 /// The prior of a sensor that has moved with `velocity` for a period, `surprise` from what was expected.
 inline MotionPrior prior_of(const Vector6d& velocity, const Vector6d& surprise) {
@@ -101,7 +101,7 @@ inline MotionPrior prior_of(const Vector6d& velocity, const Vector6d& surprise) 
 
 inline const Vector6d kSurprise = (Vector6d() << 0.1, 0.1, -0.3, 0.4, 0.3, -0.2).finished();
 
-inline double pose_error(const MovingAlignment& alignment) {
+inline double pose_error(const ContinuousTimeAlignment& alignment) {
   return log(kTruth.inverse() * alignment.pose.T_target_source).norm();
 }
 

@@ -15,7 +15,7 @@ const Pose kTruth = exp((Vector6d() << 0.02, -0.03, 0.7, 1.0, -0.5, 0.2).finishe
 TEST(MotionPrior, NextRemembersTheMotionSeen) {
   const MotionPrior prior{.T_map_last = kTruth, .velocity = kVelocity, .last_motion = kSurprise, .interval = 0.2};
   const Vector6d motion = (Vector6d() << 0, 0.1, 0.2, 1, 2, 3).finished();
-  MovingAlignment alignment;
+  ContinuousTimeAlignment alignment;
   alignment.motion.velocity = 2 * kVelocity;
   alignment.pose.T_target_source = kTruth * exp(0.2 * motion);
   alignment.pose.matches = 50;
@@ -43,7 +43,7 @@ TEST(MotionPrior, NextRemembersTheMotionSeen) {
   EXPECT_TRUE(next(after, alignment).known);
   EXPECT_EQ(next(after, alignment).last_change, Vector6d::Zero()) << "nor does an interval of nothing";
 
-  MovingAlignment first;  // the first scan, registered to nothing
+  ContinuousTimeAlignment first;  // the first scan, registered to nothing
   first.pose.matches = 50;
   EXPECT_FALSE(next(MotionPrior(), first).known);
   EXPECT_EQ(next(MotionPrior(), first).last_motion, Vector6d::Zero());

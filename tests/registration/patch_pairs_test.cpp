@@ -19,7 +19,7 @@ TEST(PatchPairs, APairIsAsSureAsThePatchHasPointsAndTheSurfaceHasPatches) {
   };
   EXPECT_NEAR(variance(1, 60, patch.normal) - variance(9, 60, patch.normal), 9e-4 * (1 - 1.0 / 9), 1e-9);
   EXPECT_NEAR(variance(9, 1, patch.normal) - variance(9, 10, patch.normal), kOptions.surface_doubt * 1e-4 * 0.9, 1e-9);
-  EXPECT_GT(variance(9, 60, askew) - variance(9, 60, patch.normal), 0.9 * kOptions.spread_share * 0.04 * 1e-2);
+  EXPECT_GT(variance(9, 60, askew) - variance(9, 60, patch.normal), 0.9 * kOptions.spread_ratio * 0.04 * 1e-2);
 }
 
 TEST(PatchPairs, PatchesThatAreNotFlatAreHeldAgainstPlanes) {
@@ -36,7 +36,7 @@ TEST(PatchPairs, PatchesThatAreNotFlatAreHeldAgainstPlanes) {
     };
     return &*std::min_element(place.planes.begin(), place.planes.end(), nearer);
   };
-  const auto result = align_moving(patches, kMiddle, prior_of(kVelocity, 0.3 * kSurprise), nearest, kOptions);
+  const auto result = align_continuous_time(patches, kMiddle, prior_of(kVelocity, 0.3 * kSurprise), nearest, kOptions);
   EXPECT_TRUE(result.pose.converged);
   EXPECT_LT(pose_error(result), 1e-3);
 }

@@ -49,7 +49,7 @@ inline double wall_range(const Place& place, const Eigen::Vector3d& ray) {
 inline PointCloud make_scan(const ScanShape& s, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> noise(0.0, s.noise);
-  std::uniform_real_distribution<double> share(0.0, 1.0);
+  std::uniform_real_distribution<double> ratio(0.0, 1.0);
   PointCloud cloud;
   const int columns = s.columns + s.overlap;
   for (int n = 0; n < columns * s.rings; ++n) {
@@ -62,9 +62,9 @@ inline PointCloud make_scan(const ScanShape& s, std::uint32_t seed) {
     const Eigen::Vector3d ray(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                               std::sin(elevation));
     double range = wall_range(s.place, ray);
-    if (range > s.max_range || share(random) < s.missing) continue;
+    if (range > s.max_range || ratio(random) < s.missing) continue;
     range += noise(random);
-    if (share(random) < s.outliers) range *= share(random);
+    if (ratio(random) < s.outliers) range *= ratio(random);
     cloud.points.push_back(ray * range);
     cloud.rings.push_back(std::uint16_t(ring));
   }

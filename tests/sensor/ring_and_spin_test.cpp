@@ -163,20 +163,20 @@ TEST(FiringOrderOf, BeamsOffsetInAzimuthAndWithGapsKeepsTheTimes) {
     const Eigen::AngleAxisd offset((s.ring % 2 == 0 ? 5.0 : -5.0) * std::numbers::pi / 180.0, Eigen::Vector3d::UnitZ());
     s.point = offset * s.point;
   }
-  const std::optional<Sweep> sweep = find_sweep(points_of(shots), rings);
-  ASSERT_TRUE(sweep);
+  const std::optional<HeadRotation> rotation = find_head_rotation(points_of(shots), rings);
+  ASSERT_TRUE(rotation);
   for (std::size_t i = 0; i < shots.size(); ++i) {
-    ASSERT_NEAR(sweep->progress[i] / (2 * std::numbers::pi) * 0.1, shots[i].time - shots[0].time, 5e-4);
+    ASSERT_NEAR(rotation->progress[i] / (2 * std::numbers::pi) * 0.1, shots[i].time - shots[0].time, 5e-4);
   }
 }
 
 TEST(FiringOrderOf, PointsInNoOrderIsNone) {
   std::vector<Shot> shots = shots_of({kVlp16});
   std::shuffle(shots.begin(), shots.end(), std::mt19937(3));
-  EXPECT_FALSE(find_sweep(points_of(shots), {}));
-  EXPECT_FALSE(find_sweep(points_of({shots[0]}), {}));
+  EXPECT_FALSE(find_head_rotation(points_of(shots), {}));
+  EXPECT_FALSE(find_head_rotation(points_of({shots[0]}), {}));
   const Eigen::Vector3d same(1, 2, 3);
-  EXPECT_FALSE(find_sweep(std::vector<Eigen::Vector3d>(100, same), {}));
+  EXPECT_FALSE(find_head_rotation(std::vector<Eigen::Vector3d>(100, same), {}));
 }
 
 TEST(SpinPeriod, FromStampsThatSkipScansIsAssumedAndSaidSo) {

@@ -105,9 +105,9 @@ TEST(Imperfections, OutliersAreTheirShareOfTheReturns) {
 
 /// Sum of `share(hit)` over all beams.
 template <class F>
-double expected(const World& world, const F& share) {
+double expected(const World& world, const F& ratio) {
   double sum = 0;
-  for (const Hit& hit : hits_of(world)) sum += std::max(0.0, share(hit));
+  for (const Hit& hit : hits_of(world)) sum += std::max(0.0, ratio(hit));
   return sum;
 }
 

@@ -47,8 +47,8 @@ TEST_P(Scenes, ReturnMostOfTheirBeams) {
   const Simulator made = simulator();
   const bool open = GetParam().starts_with("plaza") || GetParam() == "street";
   for (std::size_t k = 0; k < made.size(); k += 50) {
-    const double share = double(made.scan(k).labels.size()) / double(made.lidar().rings() * made.lidar().columns);
-    EXPECT_GT(share, open ? 0.45 : 0.9) << "scan " << k;
+    const double ratio = double(made.scan(k).labels.size()) / double(made.lidar().rings() * made.lidar().columns);
+    EXPECT_GT(ratio, open ? 0.45 : 0.9) << "scan " << k;
   }
 }
 

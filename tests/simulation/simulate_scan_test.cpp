@@ -30,7 +30,7 @@ bool same(const LabelledScan& a, const LabelledScan& b) {
 }
 
 /// Share of the points of each kind over some scans.
-std::map<PointKind, double> shares(const Simulator& simulator, std::size_t scans) {
+std::map<PointKind, double> ratios(const Simulator& simulator, std::size_t scans) {
   std::map<PointKind, double> counts;
   double all = 0;
   for (std::size_t k = 0; k < scans; ++k) {
@@ -110,14 +110,14 @@ TEST(SimulateScan, LabelsAgreeWithTheGeometry) {
 
 TEST(SimulateScan, TakesEveryImperfectionAtItsRate) {
   const OptionValues clean{{"outliers", "0"}, {"mixed", "0"}, {"ghosts", "0"}, {"people", "0"}};
-  const auto only_surface = shares(Simulator("corridor", small("corridor", clean)), 5);
+  const auto only_surface = ratios(Simulator("corridor", small("corridor", clean)), 5);
   EXPECT_EQ(only_surface.size(), 1u);
   OptionValues strays = clean;
   strays["outliers"] = "0.02", strays["columns"] = "1000";
-  EXPECT_NEAR(shares(Simulator("corridor", small("corridor", strays)), 8).at(PointKind::outlier), 0.02, 0.003);
+  EXPECT_NEAR(ratios(Simulator("corridor", small("corridor", strays)), 8).at(PointKind::outlier), 0.02, 0.003);
   OptionValues mixed = clean;
   mixed["mixed"] = "1";
-  EXPECT_GT(shares(Simulator("plaza", small("plaza", mixed)), 5).at(PointKind::mixed), 0.001);
+  EXPECT_GT(ratios(Simulator("plaza", small("plaza", mixed)), 5).at(PointKind::mixed), 0.001);
 }
 
 TEST(SimulateScan, KeepsMixedPointsBetweenTheTwoSurfaces) {

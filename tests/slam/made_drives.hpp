@@ -64,9 +64,9 @@ class DriftingOdometry : public Odometry {
     const Pose T_truth = interpolate(truth_, result.stamp), T_later = interpolate(truth_, result.stamp + kStep);
     result.motion.velocity = log(T_truth.inverse() * T_later) / kStep;
     Pose motion = first_ ? Pose(Pose::Identity()) : Pose(T_truth_last_.inverse() * T_truth);
-    const double way = motion.translation().norm();
+    const double path = motion.translation().norm();
     motion.translation() *= 1 + drift_.scale;
-    T_world_lidar_ = T_world_lidar_ * motion * Eigen::AngleAxisd(drift_.turn * way, Eigen::Vector3d::UnitZ());
+    T_world_lidar_ = T_world_lidar_ * motion * Eigen::AngleAxisd(drift_.turn * path, Eigen::Vector3d::UnitZ());
     T_truth_last_ = T_truth;
     first_ = false;
     result.T_world_lidar = T_world_lidar_;

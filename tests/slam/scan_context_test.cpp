@@ -13,11 +13,11 @@ namespace {
 /// Upright things of many heights strewn about the sensor.
 PointCloud place(unsigned seed) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> share(0, 1);
+  std::uniform_real_distribution<double> ratio(0, 1);
   PointCloud cloud;
   for (int i = 0; i < 150; ++i) {
-    const double range = 2 + 40 * share(random), azimuth = 2 * std::numbers::pi * share(random);
-    const double top = 4 * share(random);
+    const double range = 2 + 40 * ratio(random), azimuth = 2 * std::numbers::pi * ratio(random);
+    const double top = 4 * ratio(random);
     for (double z = -1; z < top; z += 0.2)
       cloud.points.emplace_back(range * std::cos(azimuth), range * std::sin(azimuth), z);
   }

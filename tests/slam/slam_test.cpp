@@ -65,8 +65,8 @@ TEST(Slam, FindsItsWayBackInTheOppositeDirection) {
 TEST(Slam, ClosesNothingOnOneWayThroughIdenticalDoors) {
   std::vector<double> doors;
   for (double at = 2; at < 58; at += 3) doors.push_back(at);
-  const std::vector<Leg> one_way{{1, 0, 0}, {37, 1.5, 0}, {1, 0, 0}};
-  const Simulator simulator = simulated(corridor_scene({60, doors}, one_way));
+  const std::vector<Leg> one_path{{1, 0, 0}, {37, 1.5, 0}, {1, 0, 0}};
+  const Simulator simulator = simulated(corridor_scene({60, doors}, one_path));
   const Outcome outcome = drive_with(simulator, {.scale = -0.01, .turn = 0.0005}, 5);
   EXPECT_GT(outcome.keyframes.size(), 30U);
   EXPECT_EQ(outcome.count(Verdict::accepted), 0U);

@@ -7,7 +7,7 @@ import { join } from "node:path";
 import { canvasColors, livePlot, openBrowser, openPage } from "./browser.mjs";
 
 // Loops where hardly a way is gone: a keyframe every step, held against those just passed.
-const kLoops = ["--loop-closure", "--set", "loop.keyframe.distance=0.1", "--set", "loop.detect.min_way=0.5", "--set", "loop.submap_from=1"];
+const kLoops = ["--loop-closure", "--set", "loop.keyframe.distance=0.1", "--set", "loop.detect.min_path=0.5", "--set", "loop.submap_from=1"];
 const tilth = process.argv[2];
 const folder = mkdtempSync(join(tmpdir(), "tilth-web-"));
 const browser = await openBrowser();
@@ -27,7 +27,7 @@ function sum(counts) {
 }
 
 /** Share of pixels that are not of the commonest colour. */
-function drawnShare(counts) {
+function drawnRatio(counts) {
   return 1 - Math.max(...Object.values(counts)) / sum(counts);
 }
 
@@ -90,7 +90,7 @@ async function aResizeWorks(page) {
   assert.ok(before.width !== after.width);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(wide <= 600, `nothing sticks out: ${wide}`);
-  assert.ok(drawnShare(await canvasColors(page)) > 0.02);
+  assert.ok(drawnRatio(await canvasColors(page)) > 0.02);
 }
 
 async function hoveringSaysTheValue(page) {
@@ -120,7 +120,7 @@ try {
   assert.ok(readdirSync(join(folder, "out/plots")).includes("ape.svg"));
 
   const page = await openPage(browser, report);
-  assert.ok(drawnShare(await canvasColors(page)) > 0.02, "the map is drawn");
+  assert.ok(drawnRatio(await canvasColors(page)) > 0.02, "the map is drawn");
   await theCurvesHoldTheData(page);
   await theLoopsAreShown(page);
   await hoveringSaysTheValue(page);
@@ -133,7 +133,7 @@ try {
   const dark = await openPage(browser, report, { colorScheme: "dark" });
   const background = (p) => p.evaluate(() => getComputedStyle(document.body).backgroundColor);
   assert.notEqual(await background(dark), await background(page));
-  assert.ok(drawnShare(await canvasColors(dark)) > 0.02);
+  assert.ok(drawnRatio(await canvasColors(dark)) > 0.02);
   assert.deepEqual(dark.complaints, []);
 
   const still = await openPage(browser, report, { javaScriptEnabled: false });

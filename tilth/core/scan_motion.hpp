@@ -1,11 +1,11 @@
-// The motion of the LiDAR within one scan, at constant acceleration but for its tremor, by poses at regular times; in
-// between, along the tangent (error below 0.02 mm at 20 m and 90 degrees a second).
+// The motion of the LiDAR within one scan, at constant acceleration but for its vibration, by poses at regular times;
+// in between, along the tangent (error below 0.02 mm at 20 m and 90 degrees a second).
 #pragma once
 
 #include <algorithm>
 #include <array>
 
-#include <tilth/core/scan_tremor.hpp>
+#include <tilth/core/scan_vibration.hpp>
 #include <tilth/core/se3.hpp>
 
 namespace tilth {
@@ -14,17 +14,17 @@ namespace tilth {
 struct MotionInScan {
   Vector6d velocity = Vector6d::Zero();      ///< [rad/s, m/s] at the instant
   Vector6d acceleration = Vector6d::Zero();  ///< [rad/s^2, m/s^2]
-  ScanTremor tremor = {};                    ///< beside them
+  ScanVibration vibration = {};              ///< beside them
 
   bool at_rest() const { return velocity.isZero(0) && acceleration.isZero(0); }
 
-  /// Where it is after `time` [s], but for the tremor.
+  /// Where it is after `time` [s], but for the vibration.
   Pose after(double time) const { return exp(time * (velocity + 0.5 * time * acceleration)); }
 
   /// The same motion about an instant `time` [s] later, which is that `share` of the scan.
-  MotionInScan from(double time, double share) const {
-    MotionInScan later{velocity + time * acceleration, acceleration, tremor};
-    for (Vector6d& knot : later.tremor.knots) knot -= tremor.at(share);
+  MotionInScan from(double time, double ratio) const {
+    MotionInScan later{velocity + time * acceleration, acceleration, vibration};
+    for (Vector6d& knot : later.vibration.knots) knot -= vibration.at(ratio);
     return later;
   }
 };
@@ -32,13 +32,13 @@ struct MotionInScan {
 class ScanMotion {
  public:
   /// `motion` is the LiDAR's about `reference_time`, the instant that all points are to be seen from. Times [s] count
-  /// from the stamp of the scan and run from 0 to about `duration`. The tremor comes on top: T_reference_time is
-  /// exp(tremor) * motion.after(time - reference_time).
+  /// from the stamp of the scan and run from 0 to about `duration`. The vibration comes on top: T_reference_time is
+  /// exp(vibration) * motion.after(time - reference_time).
   ScanMotion(const MotionInScan& motion, double reference_time, double duration)
       : step_(std::max(duration, 1e-9) / kKnots) {
     for (std::size_t i = 0; i < R_reference_knot_.size(); ++i) {
       const double lever = step_ * double(i) - reference_time;
-      const Pose T = exp(motion.tremor.at(double(i) / kKnots)) * motion.after(lever);
+      const Pose T = exp(motion.vibration.at(double(i) / kKnots)) * motion.after(lever);
       const Vector6d velocity = motion.velocity + lever * motion.acceleration;
       R_reference_knot_[i] = T.linear();
       t_reference_knot_[i] = T.translation();

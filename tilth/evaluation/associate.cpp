@@ -73,7 +73,7 @@ std::string range_of(const char* name, const Trajectory& trajectory) {
 }
 
 [[noreturn]] void refuse_no_match(const Trajectory& truth, const Trajectory& estimate,
-                                  const AssociationOptions& options) {
+                                  const StampAssociationOptions& options) {
   char bound[120];
   std::snprintf(
       bound, sizeof bound,
@@ -87,7 +87,7 @@ std::string range_of(const char* name, const Trajectory& trajectory) {
 
 }  // namespace
 
-MatchedPoses associate(const Trajectory& truth, const Trajectory& estimate, const AssociationOptions& options) {
+MatchedPoses associate(const Trajectory& truth, const Trajectory& estimate, const StampAssociationOptions& options) {
   if (truth.empty()) throw Error("truth", "has no pose");
   if (estimate.empty()) throw Error("estimate", "has no pose");
   MatchedPoses matches;

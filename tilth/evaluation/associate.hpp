@@ -11,7 +11,7 @@ struct MatchedPoses {
   Trajectory truth, estimate;
 };
 
-struct AssociationOptions {
+struct StampAssociationOptions {
   double max_dt = 0.01;      ///< [s] largest difference of two stamps that match
   double time_offset = 0.0;  ///< [s] added to the estimate's stamps before they are compared
   bool interpolate = false;  ///< truth interpolated at the estimate's stamps; then max_dt is not used
@@ -22,7 +22,7 @@ struct AssociationOptions {
 /// that one may be taken more than once. Interpolated, each pose of the estimate between the truth's first and last
 /// stamp takes the pose on the straight line, and of the shortest rotation, between its two neighbours. Throws Error
 /// with both time ranges where nothing matches, and where either trajectory is empty.
-MatchedPoses associate(const Trajectory& truth, const Trajectory& estimate, const AssociationOptions& options);
+MatchedPoses associate(const Trajectory& truth, const Trajectory& estimate, const StampAssociationOptions& options);
 
 /// Matches the i-th pose with the i-th pose. Throws Error unless there are equally many.
 MatchedPoses associate_by_index(const Trajectory& truth, const Trajectory& estimate);

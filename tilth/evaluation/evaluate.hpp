@@ -14,7 +14,7 @@ namespace tilth {
 
 struct EvaluationOptions {
   Alignment align = Alignment::none;
-  AssociationOptions association;
+  StampAssociationOptions association;
   RpeOptions rpe;
   bool kitti = false;  ///< the KITTI metric too
 };

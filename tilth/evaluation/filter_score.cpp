@@ -12,7 +12,7 @@ bool is_false(std::uint8_t label) {
   return kind == PointKind::outlier || kind == PointKind::mixed || kind == PointKind::ghost;
 }
 
-double share(std::size_t part, std::size_t whole) {
+double ratio(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0.0 : double(part) / double(whole);
 }
 
@@ -34,8 +34,8 @@ KeptCount& KeptCount::operator+=(const KeptCount& more) {
   return *this;
 }
 
-double FeatureCounts::false_share() const {
-  return share(false_edges + false_planes, edges + planes);
+double FeatureCounts::false_ratio() const {
+  return ratio(false_edges + false_planes, edges + planes);
 }
 
 FeatureCounts& FeatureCounts::operator+=(const FeatureCounts& more) {
@@ -57,14 +57,14 @@ double FilterScore::accuracy() const {
   KeptCount truth = of(PointKind::surface);
   truth += of(PointKind::moving);
   const KeptCount wrong = false_points();
-  return share(truth.kept + wrong.before - wrong.kept, truth.before + wrong.before);
+  return ratio(truth.kept + wrong.before - wrong.kept, truth.before + wrong.before);
 }
 
 double FilterScore::precision() const {
   const KeptCount wrong = false_points();
   std::size_t removed = 0;
   for (const KeptCount& count : kinds) removed += count.before - count.kept;
-  return share(wrong.before - wrong.kept, removed);
+  return ratio(wrong.before - wrong.kept, removed);
 }
 
 double FilterScore::pseudo_reduction() const {

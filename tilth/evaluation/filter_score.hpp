@@ -17,8 +17,8 @@ namespace tilth {
 struct KeptCount {
   std::size_t before = 0, kept = 0;
 
-  double kept_share() const { return before == 0 ? 1.0 : double(kept) / double(before); }
-  double removed_share() const { return before == 0 ? 0.0 : 1.0 - double(kept) / double(before); }
+  double kept_ratio() const { return before == 0 ? 1.0 : double(kept) / double(before); }
+  double removed_ratio() const { return before == 0 ? 0.0 : 1.0 - double(kept) / double(before); }
   KeptCount& operator+=(const KeptCount& more);
 };
 
@@ -26,9 +26,9 @@ struct KeptCount {
 struct FeatureCounts {
   std::size_t edges = 0, false_edges = 0, off_edge = 0, planes = 0, false_planes = 0;
 
-  double false_edge_share() const { return edges == 0 ? 0.0 : double(false_edges) / double(edges); }
-  double off_edge_share() const { return edges == 0 ? 0.0 : double(off_edge) / double(edges); }
-  double false_share() const;  ///< of all features
+  double false_edge_ratio() const { return edges == 0 ? 0.0 : double(false_edges) / double(edges); }
+  double off_edge_ratio() const { return edges == 0 ? 0.0 : double(off_edge) / double(edges); }
+  double false_ratio() const;  ///< of all features
   FeatureCounts& operator+=(const FeatureCounts& more);
 };
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <tilth/core/least_spread.hpp>
+#include <tilth/core/symmetric_eigen.hpp>
 #include <tilth/features/joined_shapes.hpp>
 
 #undef HWY_TARGET_INCLUDE
@@ -30,14 +30,14 @@ struct LaneMoments {
   }
 
   HWY_INLINE void add(const LaneMoments& other) {
-    const Doubles total = hn::Add(count, other.count), share = hn::Div(other.count, total);
+    const Doubles total = hn::Add(count, other.count), ratio = hn::Div(other.count, total);
     const Doubles dx = hn::Sub(other.x, x), dy = hn::Sub(other.y, y), dz = hn::Sub(other.z, z);
-    const Doubles weight = hn::Mul(count, share);
+    const Doubles weight = hn::Mul(count, ratio);
     const auto grow = [&](Doubles& sum, Doubles more, Doubles product)
                           HWY_ATTR { sum = hn::Add(sum, hn::Add(more, hn::Mul(weight, product))); };
     grow(xx, other.xx, hn::Mul(dx, dx)), grow(yy, other.yy, hn::Mul(dy, dy)), grow(zz, other.zz, hn::Mul(dz, dz));
     grow(xy, other.xy, hn::Mul(dx, dy)), grow(yz, other.yz, hn::Mul(dy, dz)), grow(zx, other.zx, hn::Mul(dz, dx));
-    x = hn::Add(x, hn::Mul(dx, share)), y = hn::Add(y, hn::Mul(dy, share)), z = hn::Add(z, hn::Mul(dz, share));
+    x = hn::Add(x, hn::Mul(dx, ratio)), y = hn::Add(y, hn::Mul(dy, ratio)), z = hn::Add(z, hn::Mul(dz, ratio));
     count = total;
   }
 
@@ -49,11 +49,11 @@ struct LaneMoments {
   }
 };
 
-/// The three eigenvalues of covariances, a matrix a lane: as spreads() of one.
-struct LaneSpreads {
+/// The three eigenvalues of covariances, a matrix a lane: as eigenvalues() of one.
+struct LaneEigenvalues {
   Doubles trace, minors, determinant;  // of the characteristic polynomial
 
-  HWY_INLINE explicit LaneSpreads(const LaneMoments& c) {
+  HWY_INLINE explicit LaneEigenvalues(const LaneMoments& c) {
     const Doubles m0 = hn::Sub(hn::Mul(c.yy, c.zz), hn::Mul(c.yz, c.yz));
     const Doubles m1 = hn::Sub(hn::Mul(c.xx, c.zz), hn::Mul(c.zx, c.zx));
     const Doubles m2 = hn::Sub(hn::Mul(c.xx, c.yy), hn::Mul(c.xy, c.xy));
@@ -76,10 +76,10 @@ struct LaneSpreads {
   }
 
   HWY_INLINE Doubles least() const {
-    const Doubles still = hn::Set(D(), kStillSpread);
+    const Doubles still = hn::Set(D(), kEigenvalueTolerance);
     Doubles x = hn::Zero(D());
     auto open = hn::Eq(x, x);
-    for (int i = 0; i < kMostSpreadSteps && !hn::AllFalse(D(), open); ++i) {
+    for (int i = 0; i < kMostEigenvalueSteps && !hn::AllFalse(D(), open); ++i) {
       const Doubles step = hn::IfThenElseZero(open, laguerre_step(x));
       x = hn::Add(x, step);
       open = hn::AndNot(hn::Le(hn::Abs(step), hn::Mul(still, x)), open);
@@ -104,12 +104,12 @@ HWY_INLINE void put_in_lane(const Moments& m, std::size_t lane, double* sums) {
 }
 
 /// The first `count` lanes.
-void write(const LaneMoments& c, const LaneSpreads& spreads, std::size_t count, PlaneShape* shapes) {
+void write(const LaneMoments& c, const LaneEigenvalues& eigenvalues, std::size_t count, PlaneShape* shapes) {
   const D d;
   HWY_ALIGN double entries[6 * kLanes], variances[3 * kLanes];
   const Doubles* const all[6] = {&c.xx, &c.yy, &c.zz, &c.xy, &c.yz, &c.zx};
   HWY_UNROLL(6) for (std::size_t i = 0; i < 6; ++i) hn::Store(*all[i], d, entries + i * kLanes);
-  spreads.store(variances);
+  eigenvalues.store(variances);
   for (std::size_t lane = 0; lane < count; ++lane) {
     for (std::size_t i = 0; i < 6; ++i) shapes[lane].covariance[Eigen::Index(i)] = entries[i * kLanes + lane];
     for (std::size_t i = 0; i < 3; ++i) shapes[lane].variances[Eigen::Index(i)] = variances[i * kLanes + lane];
@@ -129,7 +129,7 @@ void join_simd(std::span<const RunSet> sets, PlaneShape* shapes) {
     joined.add(LaneMoments(sums[1]));
     joined.add(LaneMoments(sums[2]));
     joined.normalize();
-    write(joined, LaneSpreads(joined), count, shapes + first);
+    write(joined, LaneEigenvalues(joined), count, shapes + first);
   }
 }
 

@@ -5,12 +5,12 @@
 namespace tilth {
 
 void Moments::add(const Moments& other) {
-  const double total = count + other.count, share = other.count / total;
+  const double total = count + other.count, ratio = other.count / total;
   const Eigen::Vector3d d = other.mean - mean;
   Vector6d products;
   products << d.x() * d.x(), d.y() * d.y(), d.z() * d.z(), d.x() * d.y(), d.y() * d.z(), d.z() * d.x();
-  scatter += other.scatter + (count * share) * products;
-  mean += d * share;
+  scatter += other.scatter + (count * ratio) * products;
+  mean += d * ratio;
   count = total;
 }
 

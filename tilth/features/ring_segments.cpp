@@ -94,7 +94,7 @@ float column_step(const Sightings& s) {
 /// What of a point depends on it and its neighbour alone, many at a time.
 void measure(Sightings& s, float step, const SegmentOptions& options) {
   const float length = float(options.length), min_jump = float(options.min_jump);
-  const float jump_share = float(options.jump_share), most_steps = kMostSteps * step;
+  const float jump_ratio = float(options.jump_ratio), most_steps = kMostSteps * step;
   const float *x = s.x.data(), *y = s.y.data(), *z = s.z.data(), *ux = s.ux.data(), *uy = s.uy.data();
   float *range = s.range.data(), *reach = s.reach.data();
   std::uint8_t* after_jump = s.after_jump.data();
@@ -106,7 +106,7 @@ void measure(Sightings& s, float step, const SegmentOptions& options) {
   for (std::size_t b = 1; b < s.count; ++b) {
     const std::size_t a = b - 1;
     const float squared = square(x[a] - x[b]) + square(y[a] - y[b]) + square(z[a] - z[b]);
-    const bool in_depth = std::abs(range[a] - range[b]) > std::max(min_jump, jump_share * range[b]);
+    const bool in_depth = std::abs(range[a] - range[b]) > std::max(min_jump, jump_ratio * range[b]);
     const bool in_space = squared > square(std::max(min_jump, 12 * range[b] * step));
     const bool in_angle = std::abs(ux[a] * uy[b] - uy[a] * ux[b]) > most_steps;
     after_jump[b] = std::uint8_t(in_depth | in_space | in_angle);

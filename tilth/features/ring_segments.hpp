@@ -16,7 +16,7 @@ namespace tilth {
 struct SegmentOptions {
   double length = 0.25;
   double min_jump = 0.15;
-  double jump_share = 0.03;
+  double jump_ratio = 0.03;
   int min_points = 3;
 };
 
@@ -24,7 +24,7 @@ template <class V>
 void visit(SegmentOptions& o, V&& v) {
   v("length", o.length, Bounds{0.01, 10}, "[m] of a run of points of one beam, which make one patch; at least 4 steps");
   v("min_jump", o.min_jump, Bounds{0.001, 10}, "[m] step in range that ends a run, at least");
-  v("jump_share", o.jump_share, Bounds{0, 1}, "[-] step in range that ends a run, as a share of the range, at least");
+  v("jump_ratio", o.jump_ratio, Bounds{0, 1}, "[-] step in range that ends a run, as a share of the range, at least");
   v("min_points", o.min_points, Bounds{2, 1000}, "[points] fewer are no patch");
 }
 

@@ -11,7 +11,7 @@ constexpr std::size_t kMargin = 5;  // neighbours on either side that a point's 
 constexpr std::size_t kSectors = 6;
 constexpr int kMostColumnGap = 10;
 constexpr float kStep = 0.3f;    // [m] between a surface and what it may hide
-constexpr float kShare = 0.02f;  // of the range, between a point and both neighbours
+constexpr float kRatio = 0.02f;  // of the range, between a point and both neighbours
 
 int column_gap(std::span<const std::uint16_t> columns, std::size_t i, std::size_t j) {
   return std::abs(int(columns[i]) - int(columns[j]));
@@ -60,7 +60,7 @@ std::vector<std::uint8_t> unusable_points(const RowScan& scan) {
     const bool near_columns = column_gap(scan.columns, i, i + 1) < kMostColumnGap;
     if (near_columns && ranges[i] - ranges[i + 1] > kStep) mark(i - kMargin, i + 1);
     if (near_columns && ranges[i + 1] - ranges[i] > kStep) mark(i + 1, i + kMargin + 2);
-    const float most = kShare * ranges[i];
+    const float most = kRatio * ranges[i];
     if (std::abs(ranges[i - 1] - ranges[i]) > most && std::abs(ranges[i + 1] - ranges[i]) > most) marks[i] = 1;
   }
   return marks;

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tilth/core/least_spread.hpp>
+#include <tilth/core/symmetric_eigen.hpp>
 #include <tilth/features/joined_shapes.hpp>
 #include <tilth/features/plane_misfit.hpp>
 #include <tilth/features/run_columns.hpp>
@@ -84,7 +84,7 @@ class RingFitter {
   // Two lines are always in one plane.
   bool one_plane(const RunSet& set, const PlaneShape& shape) const {
     if (set[2] == nullptr) return true;
-    const Eigen::Vector3d normal = direction_of_least(symmetric(shape.covariance), shape.variances[0]);
+    const Eigen::Vector3d normal = smallest_eigenvector(symmetric(shape.covariance), shape.variances[0]);
     return is_one_plane(plane_misfit(set, normal), options_.max_misfit, options_.roughness);
   }
 
@@ -119,7 +119,7 @@ class RingFitter {
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       if (fits_[i].is_pole || fits_[i].flat) continue;
       const Column& c = columns_[i];
-      const double reach = std::max(options_.max_gap, options_.max_gap_share * fits_[i].range);
+      const double reach = std::max(options_.max_gap, options_.max_gap_ratio * fits_[i].range);
       for (const std::size_t other : {kBelow, kAbove}) {
         if (is_within(reach, c[other], *c[kSelf])) ask(i, c[kSelf], c[other], nullptr);
       }
@@ -147,7 +147,7 @@ class RingFitter {
     const RingSegment& self = *columns_[run][kSelf];
     const Fit& fit = fits_[run];
     const Eigen::Matrix3d covariance = symmetric(fit.covariance);
-    const Eigen::Vector3d normal = direction_of_least(covariance, fit.least);
+    const Eigen::Vector3d normal = smallest_eigenvector(covariance, fit.least);
     return {.mean = self.moments.mean,
             .covariance = covariance,
             .normal = normal.dot(self.moments.mean) > 0 ? Eigen::Vector3d(-normal) : normal,

@@ -15,7 +15,7 @@ struct PatchOptions {
   double max_misfit = 1e6;
   double roughness = 0.002;
   double max_gap = 0.3;
-  double max_gap_share = 0.06;
+  double max_gap_ratio = 0.06;
   double pole_width = 0.6;
 };
 
@@ -29,7 +29,7 @@ void visit(PatchOptions& o, V&& v) {
   v("roughness", o.roughness, Bounds{0, 1}, "[m] that they may miss it by in addition");
   v("max_gap", o.max_gap, Bounds{0.01, 10},
     "[m] between two beams that make a patch where there is no third in the same plane, at least");
-  v("max_gap_share", o.max_gap_share, Bounds{0, 1}, "[-] the same as a share of the range");
+  v("max_gap_ratio", o.max_gap_ratio, Bounds{0, 1}, "[-] the same as a share of the range");
   v("pole_width", o.pole_width, Bounds{0, 10}, "[m] a run that stands free and is narrower is part of a pole");
 }
 

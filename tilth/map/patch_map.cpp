@@ -6,8 +6,8 @@
 #include <utility>
 
 #include <tilth/core/flatness.hpp>
-#include <tilth/core/least_spread.hpp>
 #include <tilth/core/rotated_covariance.hpp>
+#include <tilth/core/symmetric_eigen.hpp>
 #include <tilth/map/patch_map.hpp>
 #include <tilth/map/voxel_blocks.hpp>
 
@@ -106,9 +106,9 @@ void PatchMap::refresh(const Sums& sums, MapSurface& surface) const {
   Eigen::Matrix3d covariance;
   for (int k = 0; k < 6; ++k)
     covariance(kRow[k], kColumn[k]) = covariance(kColumn[k], kRow[k]) = sums.scatter[k] / double(surface.patches);
-  const Eigen::Vector3d variances = spreads(covariance);
+  const Eigen::Vector3d variances = eigenvalues(covariance);
   const double least = variances[0];
-  const Eigen::Vector3d normal = direction_of_least(covariance, least);
+  const Eigen::Vector3d normal = smallest_eigenvector(covariance, least);
   surface.normal = normal.dot(sums.normals) < 0 ? Eigen::Vector3d(-normal) : normal;
   surface.variance = std::max(least, options_.surface_variance);
   surface.planar = surface.flat || (surface.patches >= std::uint32_t(options_.planar_patches) &&

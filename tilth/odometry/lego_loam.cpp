@@ -13,16 +13,16 @@ namespace {
 constexpr double kAnyRange = std::numeric_limits<double>::max();
 constexpr std::size_t kLeastMapEdges = 10, kLeastMapPlanes = 100;  // more must be there
 
-// [s] of the sweep.
+// [s] of the scan.
 double period_of(const PointCloud& cloud, const LegoLoamOptions& options) {
   return duration(cloud) > 0 ? duration(cloud) : options.scan_period;
 }
 
 std::vector<float> times_of(const PointCloud& cloud, const LegoLoamOptions& options) {
   switch (options.point_times) {
-    case PointTimes::azimuth: return azimuth_times(cloud, period_of(cloud, options));
-    case PointTimes::measured: return cloud.times;
-    case PointTimes::none: break;
+    case PointTimeSource::azimuth: return azimuth_times(cloud, period_of(cloud, options));
+    case PointTimeSource::measured: return cloud.times;
+    case PointTimeSource::none: break;
   }
   return {};
 }
@@ -50,14 +50,15 @@ OdometryResult LegoLoam::register_scan(const Scan& scan) {
   begin_stage("features");
   const LegoFeatures features = lego_features(segmented, options_.features);
 
-  begin_stage("sweep");
-  result.alignment = align_sweep({features.sharp, features.flat, period}, last_sweep_, T_start_end_, options_.sweep);
+  begin_stage("scan");
+  result.alignment =
+      align_scan_to_scan({features.sharp, features.flat, period}, last_scan_, T_start_end_, options_.scan);
   T_start_end_ = result.alignment.T_target_source;
   T_odom_end_ = normalized(T_odom_end_ * T_start_end_);
   result.motion.velocity = cloud.has_times() ? Vector6d(log(T_start_end_) / period) : Vector6d::Zero();
   const auto at_end = [&](const PointCloud& points) { return deskew(points, result.motion, period); };
   const FeatureClouds still{at_end(features.less_sharp), at_end(features.less_flat)};
-  last_sweep_ = {SweepTarget(still.edges), SweepTarget(still.planes)};
+  last_scan_ = {ScanTarget(still.edges), ScanTarget(still.planes)};
 
   const bool is_first = map_.empty();
   if (is_mapping_due(scan.stamp)) {

@@ -1,18 +1,18 @@
 // LeGO-LOAM with the LiDAR alone (Shan and Englot, IROS 2018), as its authors ship it for the VLP-16: ground and
-// clusters of a range image; sweep to sweep in two steps; scan to map against keyframes on every fourth scan. Loop
+// clusters of a range image; scan to scan in two steps; scan to map against keyframes on every fourth scan. Loop
 // closure, off in the original, stands outside.
 #pragma once
 
 #include <tilth/features/lego_features.hpp>
 #include <tilth/map/keyframe_map.hpp>
 #include <tilth/odometry/odometry.hpp>
-#include <tilth/registration/align_sweep.hpp>
 #include <tilth/registration/line_plane_association.hpp>
+#include <tilth/registration/scan_to_scan.hpp>
 
 namespace tilth {
 
-enum class PointTimes { azimuth, measured, none };
-inline std::span<const std::string_view> names_of(PointTimes) {
+enum class PointTimeSource { azimuth, measured, none };
+inline std::span<const std::string_view> names_of(PointTimeSource) {
   static constexpr std::array<std::string_view, 3> names{"azimuth", "measured", "none"};
   return names;
 }
@@ -47,11 +47,11 @@ void visit(LegoMappingOptions& o, V&& v) {
 
 struct LegoLoamOptions {
   double scan_period = 0.1;
-  PointTimes point_times = PointTimes::azimuth;
+  PointTimeSource point_times = PointTimeSource::azimuth;
   bool stamp_at_start = false;
   SegmentationOptions segmentation;
   LegoFeatureOptions features;
-  AlignSweepOptions sweep;
+  ScanToScanOptions scan;
   LegoMappingOptions mapping;
 };
 
@@ -65,7 +65,7 @@ void visit(LegoLoamOptions& o, V&& v) {
     "[-] as LeGO-LOAM: the pose, which is that of the end of the scan, is stamped with its start");
   v("segmentation", o.segmentation, "[-] range image, ground and clusters");
   v("features", o.features, "[-] edge and plane points");
-  v("sweep", o.sweep, "[-] sweep to sweep, in two steps");
+  v("scan", o.scan, "[-] scan to scan, in two steps");
   v("mapping", o.mapping, "[-] scan to map");
 }
 
@@ -85,9 +85,9 @@ class LegoLoam : public Odometry {
 
   LegoLoamOptions options_;
   KeyframeMap map_;
-  SweepTargets last_sweep_;
-  Pose T_start_end_ = Pose::Identity();   // motion during the last sweep
-  Pose T_odom_end_ = Pose::Identity();    // sweep by sweep
+  ScanTargets last_scan_;
+  Pose T_start_end_ = Pose::Identity();   // motion during the last scan
+  Pose T_odom_end_ = Pose::Identity();    // scan by scan
   Pose T_world_odom_ = Pose::Identity();  // as the last mapping found it
   std::size_t scans_ = 0;
   double last_mapping_ = 0.0;  // [s]

@@ -27,8 +27,8 @@ Matrix6d PoseUncertainty::covariance_at(double time) const {
   if (after == instants_.begin()) return instants_.front().covariance_in_map;
   if (after == instants_.end()) return instants_.back().covariance_in_map;
   const auto before = after - 1;
-  const double share = (time - before->time) / (after->time - before->time);
-  return before->covariance_in_map + share * (after->covariance_in_map - before->covariance_in_map);
+  const double ratio = (time - before->time) / (after->time - before->time);
+  return before->covariance_in_map + ratio * (after->covariance_in_map - before->covariance_in_map);
 }
 
 }  // namespace tilth

@@ -17,8 +17,8 @@ SurfacePatches evenly(const SurfacePatches& patches, std::size_t most) {
 }
 
 /// The pose at `pose_at` of a scan of which the alignment tells.
-Pose pose_in_scan(const MovingAlignment& alignment, double pose_at, double scan_duration) {
-  return alignment.pose.T_target_source * exp(alignment.motion.tremor.at(pose_at)) *
+Pose pose_in_scan(const ContinuousTimeAlignment& alignment, double pose_at, double scan_duration) {
+  return alignment.pose.T_target_source * exp(alignment.motion.vibration.at(pose_at)) *
          alignment.motion.after((pose_at - 0.5) * scan_duration);
 }
 
@@ -39,13 +39,13 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   begin_stage("registration");
   const double scan_duration = duration(cloud), middle = 0.5 * scan_duration;
   motion_.interval = registered_ > 0 ? scan.stamp + middle - last_middle_ : 0.0;
-  const MovingAlignment alignment = register_patches(patches, middle);
+  const ContinuousTimeAlignment alignment = register_patches(patches, middle);
   begin_stage("map");
   if (registered_ == 0) begin_ = scan.stamp + middle;
   result.covariance = covariance_of(alignment, scan.stamp + middle - begin_);
   last_middle_ = scan.stamp + middle;
   insert(patches, middle, alignment);
-  if (first_ && registered_ >= 2 && last_middle_ - begin_ >= options_.settle_after) settle();
+  if (first_ && registered_ >= 2 && last_middle_ - begin_ >= options_.reanchor_after) reanchor();
 
   result.alignment = alignment.pose;
   result.alignment.T_target_source = T_world_map_ * alignment.pose.T_target_source;
@@ -58,21 +58,22 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   return result;
 }
 
-MovingAlignment TilthOdometry::align_to_map(const SurfacePatches& patches, double middle,
-                                            const MotionPrior& prior) const {
+ContinuousTimeAlignment TilthOdometry::align_to_map(const SurfacePatches& patches, double middle,
+                                                    const MotionPrior& prior) const {
   const auto in_map = [this](const Eigen::Vector3d& p, const Eigen::Vector3d& n, bool flat) {
     return map_.find(p, n, flat);
   };
-  return align_moving(evenly(patches, std::size_t(options_.max_patches)), middle, prior, in_map, options_.align);
+  return align_continuous_time(evenly(patches, std::size_t(options_.max_patches)), middle, prior, in_map,
+                               options_.align);
 }
 
-MovingAlignment TilthOdometry::register_patches(const SurfacePatches& patches, double middle) {
+ContinuousTimeAlignment TilthOdometry::register_patches(const SurfacePatches& patches, double middle) {
   const bool enough = patches.size() >= std::size_t(options_.align.min_matches);
   if (registered_ == 0 && enough) return {.pose = {.converged = true, .candidates = patches.size()}};
   if (registered_ != 1) return align_to_map(patches, middle, motion_);
   // The second scan tells how the sensor moved in the first one, which then is straightened anew.
   constexpr int kRounds = 4;
-  MovingAlignment alignment;
+  ContinuousTimeAlignment alignment;
   for (int round = 0; round < kRounds; ++round) {
     alignment = align_to_map(patches, middle, motion_);
     motion_.velocity = alignment.motion.velocity;
@@ -82,7 +83,7 @@ MovingAlignment TilthOdometry::register_patches(const SurfacePatches& patches, d
   return alignment;
 }
 
-Matrix6d TilthOdometry::covariance_of(const MovingAlignment& alignment, double time) {
+Matrix6d TilthOdometry::covariance_of(const ContinuousTimeAlignment& alignment, double time) {
   const Pose& T_map_lidar = alignment.pose.T_target_source;
   const Matrix6d since_first =
       uncertainty_.add({.time = time,
@@ -91,20 +92,20 @@ Matrix6d TilthOdometry::covariance_of(const MovingAlignment& alignment, double t
                         .surfaces_seen_at = alignment.surfaces_seen_at.value_or(last_middle_ - begin_),
                         .dead_reckoned = alignment.dead_reckoned});
   if (is_first(alignment)) return since_first;
-  // Hardly anything tells of the tremor of the first scan, whose pose all others are seen from.
-  const Vector6d first = seen_spread(motion_.tremor, options_.align.tremor).variances();
+  // Hardly anything tells of the vibration of the first scan, whose pose all others are seen from.
+  const Vector6d first = observed_sigma(motion_.vibration, options_.align.vibration).variances();
   const Matrix6d to_lidar = adjoint(T_map_lidar.inverse());
   return since_first + to_lidar * first.asDiagonal() * to_lidar.transpose();
 }
 
-void TilthOdometry::insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment) {
+void TilthOdometry::insert(const SurfacePatches& patches, double middle, const ContinuousTimeAlignment& alignment) {
   const bool first = is_first(alignment);
   if (first) first_ = {patches, middle};
   motion_ = next(motion_, alignment);
   if (!first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
   const Pose& T_map_middle = alignment.pose.T_target_source;
   MotionInScan motion = alignment.motion;
-  motion.tremor = without(motion.tremor, motion_.tremor_mean);
+  motion.vibration = without(motion.vibration, motion_.vibration_mean);
   map_.insert(deskew(patches, motion, middle), T_map_middle, last_middle_ - begin_);
   map_.crop(T_map_middle.translation());
   if (++registered_ != 2) return;
@@ -112,9 +113,9 @@ void TilthOdometry::insert(const SurfacePatches& patches, double middle, const M
   first_->motion.interval = begin_ - last_middle_;
 }
 
-void TilthOdometry::settle() {
-  first_->motion.tremor = motion_.tremor;
-  const MovingAlignment first = align_to_map(first_->patches, first_->middle, first_->motion);
+void TilthOdometry::reanchor() {
+  first_->motion.vibration = motion_.vibration;
+  const ContinuousTimeAlignment first = align_to_map(first_->patches, first_->middle, first_->motion);
   if (first.pose.converged) T_world_map_ = pose_in_scan(first, options_.pose_at, 2 * first_->middle).inverse();
   first_.reset();
 }

@@ -9,8 +9,8 @@
 #include <tilth/odometry/odometry.hpp>
 #include <tilth/odometry/pose_uncertainty.hpp>
 #include <tilth/preprocess/ring_support.hpp>
-#include <tilth/registration/align_moving.hpp>
-#include <tilth/registration/tremor.hpp>
+#include <tilth/registration/continuous_time_registration.hpp>
+#include <tilth/registration/vibration.hpp>
 
 namespace tilth {
 
@@ -18,12 +18,12 @@ struct TilthOptions {
   double min_range = 0.5;
   double max_range = 100.0;
   double pose_at = 0.5;
-  double settle_after = 4.0;
+  double reanchor_after = 4.0;
   double covariance_scale = 0.3;
   int max_patches = 1500;
   RingSupportOptions outliers;
   PatchOptions patches{.max_misfit = 2.0};
-  AlignMovingOptions align;
+  ContinuousTimeOptions align;
   PatchMapOptions map{.voxel_size = 0.3};
 };
 
@@ -32,7 +32,7 @@ void visit(TilthOptions& o, V&& v) {
   v("min_range", o.min_range, Bounds{0, 1e4}, "[m] nearer points are dropped");
   v("max_range", o.max_range, Bounds{0.1, 1e4}, "[m] farther points are dropped");
   v("pose_at", o.pose_at, Bounds{0, 1}, "[-] instant of the pose within the scan: 0 its first point, 1 its last one");
-  v("settle_after", o.settle_after, Bounds{0, 1e9},
+  v("reanchor_after", o.reanchor_after, Bounds{0, 1e9},
     "[s] the world is the LiDAR in its first scan: so long after it, that scan is registered to the map that has grown "
     "since, and the world laid where it is found");
   v("covariance_scale", o.covariance_scale, Bounds{1e-6, 1e6},
@@ -48,20 +48,20 @@ void visit(TilthOptions& o, V&& v) {
 class TilthOdometry : public Odometry {
  public:
   explicit TilthOdometry(const TilthOptions& options) : options_(options), map_(options.map) {
-    motion_.tremor = first_evidence(options.align.tremor);
+    motion_.vibration = first_evidence(options.align.vibration);
   }
   OdometryResult register_scan(const Scan& scan) override;
   PointCloud local_map() const override;
 
  private:
-  MovingAlignment align_to_map(const SurfacePatches& patches, double middle, const MotionPrior& prior) const;
-  MovingAlignment register_patches(const SurfacePatches& patches, double middle);
-  Matrix6d covariance_of(const MovingAlignment& alignment, double time);
+  ContinuousTimeAlignment align_to_map(const SurfacePatches& patches, double middle, const MotionPrior& prior) const;
+  ContinuousTimeAlignment register_patches(const SurfacePatches& patches, double middle);
+  Matrix6d covariance_of(const ContinuousTimeAlignment& alignment, double time);
   /// Whether the world is the LiDAR in the scan of this alignment, which is not in the map yet.
-  bool is_first(const MovingAlignment& alignment) const { return registered_ == 0 && alignment.pose.converged; }
-  void insert(const SurfacePatches& patches, double middle, const MovingAlignment& alignment);
+  bool is_first(const ContinuousTimeAlignment& alignment) const { return registered_ == 0 && alignment.pose.converged; }
+  void insert(const SurfacePatches& patches, double middle, const ContinuousTimeAlignment& alignment);
   /// Lays the world where the first scan is in the map of now.
-  void settle();
+  void reanchor();
 
   struct FirstScan {
     SurfacePatches patches;

@@ -70,7 +70,7 @@ Plot ape_plot(const JudgedRun& judged, double start) {
   return plot;
 }
 
-Plot error_along_way(const JudgedRun& judged) {
+Plot error_along_path(const JudgedRun& judged) {
   Plot plot;
   plot.id = "ape_path";
   plot.title = "Absolute pose error along the way";
@@ -78,7 +78,7 @@ Plot error_along_way(const JudgedRun& judged) {
   plot.x = {"x", "m"};
   plot.y = {"y", "m"};
   plot.shade = {"APE", "m"};
-  plot.curves = {way_curve(judged.truth_in_world, "APE")};
+  plot.curves = {path_curve(judged.truth_in_world, "APE")};
   plot.curves[0].shade = floats(judged.aligned.ape.translation.errors);
   return plot;
 }
@@ -95,10 +95,10 @@ Plot error_histogram(const JudgedRun& judged) {
 }
 
 Plot rpe_plot(const Evaluation& e, double start, bool rotation) {
-  const Trajectory& way = e.options.rpe.pairs_from_truth ? e.matches.truth : e.matches.estimate;
+  const Trajectory& path = e.options.rpe.pairs_from_truth ? e.matches.truth : e.matches.estimate;
   Curve curve{"RPE", {}, floats(rotation ? scaled(e.rpe.rotation, kDegrees).errors : e.rpe.translation.errors), {}};
-  for (const PosePair& pair : pose_pairs(way, e.options.rpe.pairs)) {
-    curve.x.push_back(float(way[pair.second].stamp - start));
+  for (const PosePair& pair : pose_pairs(path, e.options.rpe.pairs)) {
+    curve.x.push_back(float(path[pair.second].stamp - start));
   }
   Plot plot;
   plot.id = rotation ? "rpe_rotation" : "rpe";
@@ -117,7 +117,7 @@ Section accuracy_section(const RunRecord& record, const JudgedRun& judged) {
   const double start = record.trajectory.front().stamp;
   Section section{"accuracy", "Accuracy", "Held against the truth with the measures of evo.", {}, {}};
   section.tables = {ape_table(*record.evaluation, judged), rpe_table(judged.aligned)};
-  section.plots = {ape_plot(judged, start), error_along_way(judged), error_histogram(judged),
+  section.plots = {ape_plot(judged, start), error_along_path(judged), error_histogram(judged),
                    rpe_plot(judged.aligned, start, false), rpe_plot(judged.aligned, start, true)};
   return section;
 }

@@ -7,8 +7,8 @@
 namespace tilth {
 namespace {
 
-double percentile(const std::vector<double>& sorted, double share) {
-  const double rank = share * double(sorted.size() - 1);
+double percentile(const std::vector<double>& sorted, double ratio) {
+  const double rank = ratio * double(sorted.size() - 1);
   const std::size_t below = std::size_t(std::floor(rank));
   const std::size_t above = std::min(below + 1, sorted.size() - 1);
   return std::lerp(sorted[below], sorted[above], rank - double(below));

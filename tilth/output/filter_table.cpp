@@ -19,7 +19,7 @@ namespace {
 
 std::string count_row(const char* name, const KeptCount& count) {
   if (count.before == 0) return line("  %-34s %9s", name, "none");
-  return line("  %-34s %9zu %9.2f %9.2f", name, count.before, 100 * count.removed_share(), 100 * count.kept_share());
+  return line("  %-34s %9zu %9.2f %9.2f", name, count.before, 100 * count.removed_ratio(), 100 * count.kept_ratio());
 }
 
 std::string range_rows(const FilterScore& score) {
@@ -33,8 +33,8 @@ std::string range_rows(const FilterScore& score) {
 
 std::string feature_rows(const FilterScore& score) {
   const auto row = [](const char* name, const FeatureCounts& f) {
-    return line("  %-34s %9zu %9.2f %9.2f %9zu %9.2f", name, f.edges, 100 * f.false_edge_share(),
-                100 * f.off_edge_share(), f.planes, 100 * f.false_share());
+    return line("  %-34s %9zu %9.2f %9.2f %9zu %9.2f", name, f.edges, 100 * f.false_edge_ratio(),
+                100 * f.off_edge_ratio(), f.planes, 100 * f.false_ratio());
   };
   return line("  %-34s %9s %9s %9s %9s %9s", "features", "edges", "false %", "off edge%", "planes", "all false%") +
          row("before the filter", score.features_before) + row("after the filter", score.features_after);
@@ -47,11 +47,11 @@ std::string claim_row(const char* claim, double figure, double bound) {
 std::string claim_rows(const FilterScore& s) {
   return line("  %-52s %9s", "claims of the paper, section 2.3", "%") +
          claim_row("over 95 % of the points judged rightly", s.accuracy(), 0.95) +
-         claim_row("over 90 % of the outliers removed", s.of(PointKind::outlier).removed_share(), 0.90) +
-         claim_row("over 90 % of the obvious outliers removed", s.obvious.removed_share(), 0.90) +
-         claim_row("over 92 % of the edge structures kept", s.edges.kept_share(), 0.92) +
+         claim_row("over 90 % of the outliers removed", s.of(PointKind::outlier).removed_ratio(), 0.90) +
+         claim_row("over 90 % of the obvious outliers removed", s.obvious.removed_ratio(), 0.90) +
+         claim_row("over 92 % of the edge structures kept", s.edges.kept_ratio(), 0.92) +
          claim_row("over 90 % fewer pseudo-features", s.pseudo_reduction(), 0.90) +
-         claim_row("over 95 % of the features true", 1 - s.features_after.false_share(), 0.95) +
+         claim_row("over 95 % of the features true", 1 - s.features_after.false_ratio(), 0.95) +
          line("  %-52s %9.2f", "share of what was removed that is false (precision)", 100 * s.precision());
 }
 
@@ -90,11 +90,11 @@ std::string filter_sweep_table(std::span<const FilterTrial> trials, std::span<co
     text += line("%-10.10s", t.recording.c_str()).substr(0, 10);
     for (const std::string& column : columns) text += line("%11.10s", value_of(t, column).c_str()).substr(0, 11);
     text +=
-        line(" |%9.2f%9.2f%9.2f%9.2f%9.2f |%9.2f%9.2f%9.2f |%9.2f%9.2f", 100 * s.of(PointKind::outlier).removed_share(),
-             100 * s.of(PointKind::mixed).removed_share(), 100 * s.obvious.removed_share(),
-             100 * s.of(PointKind::ghost).removed_share(), 100 * s.of(PointKind::moving).removed_share(),
-             100 * s.of(PointKind::surface).kept_share(), 100 * s.edges.kept_share(), 100 * s.accuracy(),
-             100 * s.features_after.false_edge_share(), 100 * s.features_after.false_share());
+        line(" |%9.2f%9.2f%9.2f%9.2f%9.2f |%9.2f%9.2f%9.2f |%9.2f%9.2f", 100 * s.of(PointKind::outlier).removed_ratio(),
+             100 * s.of(PointKind::mixed).removed_ratio(), 100 * s.obvious.removed_ratio(),
+             100 * s.of(PointKind::ghost).removed_ratio(), 100 * s.of(PointKind::moving).removed_ratio(),
+             100 * s.of(PointKind::surface).kept_ratio(), 100 * s.edges.kept_ratio(), 100 * s.accuracy(),
+             100 * s.features_after.false_edge_ratio(), 100 * s.features_after.false_ratio());
   }
   return text +
          "-: removed, +: kept, pseudo: false ones among the edge features, false: among all features; all in %\n";

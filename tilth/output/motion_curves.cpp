@@ -51,13 +51,13 @@ Curve speed_curve(const Trajectory& trajectory, double start, const std::string&
   for (std::size_t i = 0; i < n; ++i) {
     const StampedPose& a = trajectory[i == 0 ? 0 : i - 1];
     const StampedPose& b = trajectory[std::min(i + 1, n - 1)];
-    const double way = (b.T_world_lidar.translation() - a.T_world_lidar.translation()).norm();
-    curve.y.push_back(b.stamp > a.stamp ? float(way / (b.stamp - a.stamp)) : 0.0F);
+    const double path = (b.T_world_lidar.translation() - a.T_world_lidar.translation()).norm();
+    curve.y.push_back(b.stamp > a.stamp ? float(path / (b.stamp - a.stamp)) : 0.0F);
   }
   return curve;
 }
 
-Curve way_curve(const Trajectory& trajectory, const std::string& name) {
+Curve path_curve(const Trajectory& trajectory, const std::string& name) {
   Curve curve{name, {}, {}, {}};
   for (const StampedPose& pose : trajectory) {
     curve.x.push_back(float(pose.T_world_lidar.translation().x()));

@@ -22,7 +22,7 @@ AngleCurves angle_curves(const Trajectory& trajectory, double start, const std::
 Curve speed_curve(const Trajectory& trajectory, double start, const std::string& name);
 
 /// [m] seen from above: y over x.
-Curve way_curve(const Trajectory& trajectory, const std::string& name);
+Curve path_curve(const Trajectory& trajectory, const std::string& name);
 
 /// [m] height over [s] since `start`.
 Curve height_curve(const Trajectory& trajectory, double start, const std::string& name);

@@ -29,8 +29,8 @@ Range extent(const std::vector<float>& values) {
   return range;
 }
 
-Range padded(const Range& range, double share) {
-  const double more = share * (range.high - range.low);
+Range padded(const Range& range, double ratio) {
+  const double more = ratio * (range.high - range.low);
   const double low = range.low >= 0.0 ? std::max(0.0, range.low - more) : range.low - more;
   return {low, range.high + more};
 }

@@ -18,7 +18,7 @@ Range range_of(const std::vector<Range>& parts);
 Range extent(const std::vector<float>& values);
 
 /// `range` grown by `share` of its width on both sides; not past zero where it does not straddle it.
-Range padded(const Range& range, double share);
+Range padded(const Range& range, double ratio);
 
 /// Maps values of `range` onto [from, to] of the drawing.
 struct Scale {

@@ -14,7 +14,7 @@ inline constexpr const char* kBeforeLoops = "before loop closure";
 
 /// The way from above, roll, pitch, yaw, speed and height over time; with the truth where it is known,
 /// and with loop closure also the way before it, keyframes and accepted closures.
-Section way_section(const RunRecord& record, const std::optional<JudgedRun>& judged);
+Section path_section(const RunRecord& record, const std::optional<JudgedRun>& judged);
 
 /// APE over time with its statistics, along the way, as a distribution; RPE; the tables.
 Section accuracy_section(const RunRecord& record, const JudgedRun& judged);

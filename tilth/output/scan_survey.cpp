@@ -70,7 +70,7 @@ std::vector<Gap> ScanSurvey::gaps() const {
   return found;
 }
 
-double ScanSurvey::share_nearer(double range) const {
+double ScanSurvey::ratio_nearer(double range) const {
   std::size_t nearer = 0;
   for (std::size_t i = 0; i < ranges_.counts.size() && ranges_.borders[i + 1] <= range; ++i)
     nearer += ranges_.counts[i];

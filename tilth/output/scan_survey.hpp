@@ -39,7 +39,7 @@ class ScanSurvey {
   std::size_t scans_with_rings() const { return scans_with_rings_; }
   const std::vector<std::size_t>& points_on_rings() const { return ring_counts_; }
   double first_stamp() const { return stamps_.empty() ? 0.0 : stamps_.front(); }
-  double share_nearer(double range) const;             ///< of the points; `range` is a border of ranges()
+  double ratio_nearer(double range) const;             ///< of the points; `range` is a border of ranges()
   const Histogram& ranges() const { return ranges_; }  ///< [m]
   const std::optional<Histogram>& intensities() const { return intensities_; }
 

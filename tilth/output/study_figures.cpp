@@ -11,12 +11,12 @@ namespace tilth {
 namespace {
 
 /// Shares of score.json that are shown in percent.
-constexpr std::array<std::array<const char*, 2>, 6> kShares{{{"removed_obvious", "removed_obvious_percent"},
+constexpr std::array<std::array<const char*, 2>, 6> kRatios{{{"removed_obvious", "removed_obvious_percent"},
                                                              {"kept_edges", "kept_edges_percent"},
                                                              {"kept_surface", "kept_surface_percent"},
                                                              {"accuracy", "filter_accuracy_percent"},
                                                              {"pseudo_feature_reduction", "pseudo_reduction_percent"},
-                                                             {"false_edge_share_after", "pseudo_share_percent"}}};
+                                                             {"false_edge_ratio_after", "pseudo_ratio_percent"}}};
 
 void take_scans(const std::filesystem::path& file, StudyFigures& figures) {
   const ScanColumns columns = read_scan_columns(file);
@@ -31,7 +31,7 @@ void take_score(const std::filesystem::path& file, StudyFigures& figures) {
   const std::vector<std::byte> bytes = read_file(file);
   try {
     const nlohmann::json score = nlohmann::json::parse(as_text(bytes)).at(0);
-    for (const auto& [name, key] : kShares) figures[key] = 100 * score.at(name).get<double>();
+    for (const auto& [name, key] : kRatios) figures[key] = 100 * score.at(name).get<double>();
   } catch (const nlohmann::json::exception& e) {
     throw Error(file.string(), std::string("is no score: ") + e.what());
   }

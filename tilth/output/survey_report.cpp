@@ -71,11 +71,11 @@ void warn_of_points(const ScanSurvey& survey, std::vector<std::string>& warnings
         text("Only %.0f points a scan: a 16-beam sensor gives 10,000 to 29,000. Is most of the view open "
              "sky, or was the recording thinned out?",
              mean));
-  if (const double share = survey.share_nearer(kNear); share > kManyNear) {
+  if (const double ratio = survey.ratio_nearer(kNear); ratio > kManyNear) {
     warnings.push_back(
         text("%.0f %% of the points lie nearer than %g m. Probably the sensor sees the robot itself: leave "
              "these points out by a larger min_range.",
-             100.0 * share, kNear));
+             100.0 * ratio, kNear));
   }
   if (!survey.intensities()) return;
   const auto& counts = survey.intensities()->counts;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kMostPoints = 1400;   // of a line: two for each pixel of its width
 constexpr std::size_t kMostSegments = 500;  // of a path, each with a colour of its own
 constexpr std::size_t kColors = 8;
-constexpr double kBarShare = 0.8;  // of the place of a category that its bars fill
+constexpr double kBarRatio = 0.8;  // of the place of a category that its bars fill
 
 /// The numbers of the curves as they are drawn: the truth first, below the others, then those behind.
 std::vector<std::size_t> drawing_order(const Plot& plot) {
@@ -40,8 +40,8 @@ void draw_shaded(SvgCanvas& canvas, const SvgFrame& frame, const Curve& whole) {
   const Curve curve = thinned(whole, kMostSegments, PlotKind::path);
   const Range range = range_of({extent(whole.shade)});
   for (std::size_t i = 1; i < curve.y.size(); ++i) {
-    const double share = (double(curve.shade[i]) - range.low) / (range.high - range.low);
-    canvas.shaded_line(frame.at(curve.x[i - 1], curve.y[i - 1]), frame.at(curve.x[i], curve.y[i]), shade_color(share));
+    const double ratio = (double(curve.shade[i]) - range.low) / (range.high - range.low);
+    canvas.shaded_line(frame.at(curve.x[i - 1], curve.y[i - 1]), frame.at(curve.x[i], curve.y[i]), shade_color(ratio));
   }
 }
 
@@ -79,10 +79,10 @@ void draw_boxes(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
 }
 
 void draw_bars(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
-  const double width = kBarShare / double(plot.curves.size());
+  const double width = kBarRatio / double(plot.curves.size());
   for (std::size_t c = 0; c < plot.curves.size(); ++c) {
     for (std::size_t i = 0; i < plot.curves[c].y.size(); ++i) {
-      const double left = double(i) + (1 - kBarShare) / 2 + width * double(c);
+      const double left = double(i) + (1 - kBarRatio) / 2 + width * double(c);
       canvas.box(frame.at(left, 0), frame.at(left + width, plot.curves[c].y[i]), "bar " + curve_style(plot, c));
     }
   }
@@ -103,10 +103,10 @@ std::string curve_style(const Plot& plot, std::size_t n) {
   return std::string("s").append(std::to_string(n % kColors));
 }
 
-std::string shade_color(double share) {
+std::string shade_color(double ratio) {
   constexpr std::array<std::array<double, 3>, 4> kStops{
       {{37, 96, 168}, {52, 168, 160}, {240, 180, 60}, {205, 50, 45}}};  // blue, teal, amber, red
-  const double at = std::clamp(share, 0.0, 1.0) * double(kStops.size() - 1);
+  const double at = std::clamp(ratio, 0.0, 1.0) * double(kStops.size() - 1);
   const std::size_t low = std::min(std::size_t(at), kStops.size() - 2);
   int rgb[3];
   for (std::size_t i = 0; i < 3; ++i) rgb[i] = int(std::lerp(kStops[low][i], kStops[low + 1][i], at - double(low)));

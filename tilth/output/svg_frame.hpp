@@ -37,6 +37,6 @@ void draw_heat(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot);
 std::string curve_style(const Plot& plot, std::size_t n);
 
 /// The colour of `share`, 0 to 1, of a path that is coloured by a value.
-std::string shade_color(double share);
+std::string shade_color(double ratio);
 
 }  // namespace tilth

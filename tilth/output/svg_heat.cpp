@@ -11,8 +11,8 @@ constexpr double kDark = 0.6;  // share of the range from which on white is read
 constexpr const char* kUnknown = "#e6e6e6";
 
 /// From pale yellow to dark red.
-std::string heat_color(double share) {
-  const std::array<int, 3> rgb{int(255 - 90 * share * share), int(247 - 215 * share), int(200 - 160 * share)};
+std::string heat_color(double ratio) {
+  const std::array<int, 3> rgb{int(255 - 90 * ratio * ratio), int(247 - 215 * ratio), int(200 - 160 * ratio)};
   std::array<char, 8> text{};
   std::snprintf(text.data(), text.size(), "#%02x%02x%02x", rgb[0] & 0xff, rgb[1] & 0xff, rgb[2] & 0xff);
   return text.data();
@@ -20,14 +20,14 @@ std::string heat_color(double share) {
 
 void draw_cell(SvgCanvas& canvas, const SvgFrame& frame, SvgPoint corner, double value, const Range& range) {
   const bool known = std::isfinite(value);
-  const double share = known ? (value - range.low) / (range.high - range.low) : 0.0;
+  const double ratio = known ? (value - range.low) / (range.high - range.low) : 0.0;
   canvas.shaded_box(frame.at(corner.x, corner.y), frame.at(corner.x + 1, corner.y + 1),
-                    known ? heat_color(share) : kUnknown);
+                    known ? heat_color(ratio) : kUnknown);
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%.4g", value);
   const SvgPoint middle = frame.at(corner.x + 0.5, corner.y + 0.5);
   canvas.text({middle.x, middle.y + 4}, known ? number.data() : "-",
-              known && share > kDark ? "value light middle" : "value middle");
+              known && ratio > kDark ? "value light middle" : "value middle");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ const std::vector<FigureColumn>& study_columns() {
                                                  {"kept_edges_percent", "edges kept %", 1},
                                                  {"filter_accuracy_percent", "accuracy %", 1},
                                                  {"pseudo_reduction_percent", "fewer pseudo %", 1},
-                                                 {"pseudo_share_percent", "pseudo of edges %", 1}};
+                                                 {"pseudo_ratio_percent", "pseudo of edges %", 1}};
   return columns;
 }
 

@@ -104,12 +104,12 @@ std::optional<std::vector<std::uint8_t>> ring_support(const RingLayout& rings, s
                   float(options.slope),
                   reach_of(rings)};
   std::vector<std::uint32_t> agree;
-  LonePoints lone;
+  IsolatedPoints isolated;
   for (const Ring& ring : rings.rings) {
-    support_along(support, ring, agree, lone.slots);
-    lone.ring_begin.push_back(lone.slots.size());
+    support_along(support, ring, agree, isolated.slots);
+    isolated.ring_begin.push_back(isolated.slots.size());
   }
-  support_upright(support, lone);
+  support_upright(support, isolated);
   if (2 * std::count(support.keep.begin(), support.keep.end(), 1) < std::ptrdiff_t(points)) return std::nullopt;
   return std::move(support.keep);
 }

@@ -71,11 +71,11 @@ void support_from_below(Support& s, std::span<const std::uint32_t> slots, const 
 
 }  // namespace
 
-void support_upright(Support& support, const LonePoints& lone) {
+void support_upright(Support& support, const IsolatedPoints& isolated) {
   const std::vector<Ring>& rings = support.rings.rings;
   for (std::size_t r = 1; r < rings.size(); ++r) {
-    support_from_above(support, lone.ring(r - 1), rings[r]);
-    support_from_below(support, lone.ring(r), rings[r - 1], rings[r]);
+    support_from_above(support, isolated.ring(r - 1), rings[r]);
+    support_from_below(support, isolated.ring(r), rings[r - 1], rings[r]);
   }
 }
 

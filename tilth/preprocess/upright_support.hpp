@@ -31,7 +31,7 @@ inline float angle_between(const Support& s, std::uint32_t a, std::uint32_t b) {
 }
 
 /// The slots that nothing on their own ring supports, ring by ring.
-struct LonePoints {
+struct IsolatedPoints {
   std::vector<std::uint32_t> slots;
   std::vector<std::size_t> ring_begin{0};  ///< rings + 1: where each ring begins, and the end
 
@@ -40,7 +40,7 @@ struct LonePoints {
   }
 };
 
-/// Keeps each two points on neighbouring rings, one of them lone, that are seen in one direction at one distance.
-void support_upright(Support& support, const LonePoints& lone);
+/// Keeps each two points on neighbouring rings, one of them isolated, that are seen in one direction at one distance.
+void support_upright(Support& support, const IsolatedPoints& isolated);
 
 }  // namespace tilth

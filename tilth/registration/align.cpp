@@ -46,16 +46,16 @@ void hold_weak_directions(const LinearSystem& system, double min_information, Al
 
 void add_to(LinearSystem& system, const PairSums& sums, const Eigen::Matrix3d& R_target_source) {
   const Eigen::Matrix3d &R = R_target_source, Rt = R.transpose();
-  const Eigen::Matrix3d mixed = Rt * sums.mixed * R;
-  system.H.topLeftCorner<3, 3>() += Rt * sums.turn * R;
-  system.H.topRightCorner<3, 3>() += mixed;
-  system.H.bottomLeftCorner<3, 3>() += mixed.transpose();
-  system.H.bottomRightCorner<3, 3>() += Rt * sums.shift * R;
-  system.b.head<3>() += Rt * sums.torque;
-  system.b.tail<3>() += Rt * sums.force;
+  const Eigen::Matrix3d H_rt = Rt * sums.H_rt * R;
+  system.H.topLeftCorner<3, 3>() += Rt * sums.H_rr * R;
+  system.H.topRightCorner<3, 3>() += H_rt;
+  system.H.bottomLeftCorner<3, 3>() += H_rt.transpose();
+  system.H.bottomRightCorner<3, 3>() += Rt * sums.H_tt * R;
+  system.b.head<3>() += Rt * sums.b_r;
+  system.b.tail<3>() += Rt * sums.b_t;
 }
 
-StepOutcome step_align(const AlignOptions& options, AlignState& state, AlignResult& result) {
+StepOutcome gauss_newton_step(const AlignOptions& options, AlignState& state, AlignResult& result) {
   const LinearSystem system = restricted(state.system, options);
   Vector6d step;
   if (system.matches < std::size_t(options.min_matches) || !solve(system, options.damping, step))
@@ -64,7 +64,7 @@ StepOutcome step_align(const AlignOptions& options, AlignState& state, AlignResu
     if (state.steps == 0) hold_weak_directions(system, options.min_information, state);
     step = state.movable * step;
   }
-  step *= options.step_share;
+  step *= options.step_ratio;
   ++state.steps;
   result.T_target_source = retract(result.T_target_source, step);
   const double error = state.system.error / double(state.system.matches);

@@ -36,7 +36,7 @@ struct AlignOptions {
   double degeneracy_ratio = 1e-3;
   int min_matches = 20;
   Freedom active = Freedom::all;
-  double step_share = 1.0;
+  double step_ratio = 1.0;
 };
 
 template <class V>
@@ -56,7 +56,7 @@ void visit(AlignOptions& o, V&& v) {
     "[-] a direction with less information than this share of the best one is degenerate");
   v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept");
   v("active", o.active, "[-] degrees of freedom that change");
-  v("step_share", o.step_share, Bounds{1e-6, 1}, "[-] of the step of Gauss and Newton that is taken");
+  v("step_ratio", o.step_ratio, Bounds{1e-6, 1}, "[-] of the step of Gauss and Newton that is taken");
 }
 
 /// Normal equations H x = -b of all pairs, and what else one pass over them gives.
@@ -71,20 +71,20 @@ struct LinearSystem {
 /// Sums over pairs as the target sees them: with M = D^T D of a pair and r its lever, the point less the origin of the
 /// source, the moments of M that make up H, and b.
 struct PairSums {
-  Eigen::Matrix3d shift = Eigen::Matrix3d::Zero();  ///< M
-  Eigen::Matrix3d mixed = Eigen::Matrix3d::Zero();  ///< skew(r) M
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Zero();   ///< skew(r) M skew(r)^T
-  Eigen::Vector3d torque = Eigen::Vector3d::Zero();
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d H_tt = Eigen::Matrix3d::Zero();  ///< M
+  Eigen::Matrix3d H_rt = Eigen::Matrix3d::Zero();  ///< skew(r) M
+  Eigen::Matrix3d H_rr = Eigen::Matrix3d::Zero();  ///< skew(r) M skew(r)^T
+  Eigen::Vector3d b_r = Eigen::Vector3d::Zero();
+  Eigen::Vector3d b_t = Eigen::Vector3d::Zero();
 
   void add(const Eigen::Matrix3d& M, const Eigen::Vector3d& r, const Eigen::Vector3d& g) {
     Eigen::Matrix3d rM;
     for (int i = 0; i < 3; ++i) rM.col(i) = r.cross(M.col(i));
-    shift += M;
-    mixed += rM;
-    for (int i = 0; i < 3; ++i) turn.col(i) += r.cross(rM.row(i));
-    torque += r.cross(g);
-    force += g;
+    H_tt += M;
+    H_rt += rM;
+    for (int i = 0; i < 3; ++i) H_rr.col(i) += r.cross(rM.row(i));
+    b_r += r.cross(g);
+    b_t += g;
   }
 };
 
@@ -120,7 +120,7 @@ struct AlignState {
 enum class StepOutcome { moved, stands_still, failed };
 
 /// One step of result.T_target_source on state.system; failed where there are too few pairs or no solution.
-StepOutcome step_align(const AlignOptions& options, AlignState& state, AlignResult& result);
+StepOutcome gauss_newton_step(const AlignOptions& options, AlignState& state, AlignResult& result);
 
 /// What rotations [rad] and translations [m] are divided by to compare: rotations then count in units of the arc by
 /// which they move a typical point of the pairs.
@@ -151,7 +151,7 @@ AlignResult align(const Pose& T_init, const AlignOptions& options, const Associa
         (accumulate(state.system, std::span(p.data(), p.size()), result.T_target_source, kernel), ...);
       };
       std::apply(add, pairs);
-      outcome = step_align(options, state, result);
+      outcome = gauss_newton_step(options, state, result);
       result.converged = outcome == StepOutcome::stands_still && inner == 0;
     }
   }

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include <tilth/registration/motion_prior.hpp>
-#include <tilth/registration/tremor.hpp>
+#include <tilth/registration/vibration.hpp>
 
 namespace tilth {
 namespace {
@@ -19,16 +19,16 @@ Vector6d variances_of(double rotation_sigma, double translation_sigma) {
 
 }  // namespace
 
-Vector6d pose_variances(const MotionPrior& prior, const AlignMovingOptions& options) {
+Vector6d pose_variances(const MotionPrior& prior, const ContinuousTimeOptions& options) {
   const double half_square = 0.5 * prior.interval * prior.interval;
   return variances_of(half_square * options.angular_acceleration, half_square * options.acceleration);
 }
 
-double steady_shift(const MotionPrior& prior, const AlignMovingOptions& options) {
+double steady_shift(const MotionPrior& prior, const ContinuousTimeOptions& options) {
   return 0.5 * prior.interval * prior.interval * options.steady_acceleration;
 }
 
-MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
+MotionPrior next(const MotionPrior& prior, const ContinuousTimeAlignment& alignment) {
   const Pose& T_map_last = alignment.pose.T_target_source;
   const bool known = prior.interval > 0 && alignment.pose.matches > 0;
   const Vector6d motion = known ? motion_since_last(prior, T_map_last) : prior.last_motion;
@@ -41,31 +41,31 @@ MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment) {
           known && prior.known ? Vector6d((motion - prior.last_motion) / prior.interval) : Vector6d(Vector6d::Zero()),
           steady,
           0.0,
-          faded_sum(prior.tremor, alignment.evidence, prior.interval),
-          mean_with(prior.tremor_mean, alignment.motion.tremor, share_of_mean(prior.interval)),
+          faded_sum(prior.vibration, alignment.evidence, prior.interval),
+          mean_with(prior.vibration_mean, alignment.motion.vibration, mean_gain(prior.interval)),
           prior.known || known};
 }
 
-void add_pose_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
-                    MovingSystem& system) {
+void add_pose_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state,
+                    ContinuousTimeSystem& system) {
   const Vector6d weights = pose_variances(prior, options).cwiseInverse();
   system.H.topLeftCorner<6, 6>() += weights.asDiagonal();
   system.b.head<6>() += weights.cwiseProduct(log(predicted(prior).inverse() * state.T_map_lidar));
 }
 
-Vector6d acceleration_in(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state) {
+Vector6d acceleration_in(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state) {
   if (!prior.known || !options.bend) return Vector6d::Zero();
   return 2 / prior.interval * (state.motion.velocity - motion_since_last(prior, state.T_map_lidar));
 }
 
-void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
-                        MovingSystem& system) {
+void add_velocity_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state,
+                        ContinuousTimeSystem& system) {
   const double rate = 1 / prior.interval;
   const Vector6d motion = motion_since_last(prior, state.T_map_lidar);
   const Vector6d change = rate * (motion - prior.last_motion), surprise = change - prior.last_change;
   const Vector6d expected = prior.known && options.bend ? Vector6d(motion + 0.5 * prior.interval * change) : motion;
   const auto sigma = [&](double seen) {
-    return 0.5 * prior.interval * (options.velocity_slack + options.velocity_share * seen);
+    return 0.5 * prior.interval * (options.velocity_slack + options.velocity_ratio * seen);
   };
   const Vector6d weights =
       variances_of(sigma(surprise.head<3>().norm()), sigma(surprise.tail<3>().norm())).cwiseInverse();
@@ -76,8 +76,8 @@ void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& opti
   system.b += Jt * (state.motion.velocity - expected);
 }
 
-void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& options, const Matrix6d& lost,
-                      const MotionState& state, MovingSystem& system) {
+void add_steady_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const Matrix6d& lost,
+                      const MotionState& state, ContinuousTimeSystem& system) {
   const double change = prior.interval * options.steady_acceleration;
   const Pose T_map_steady = retract(prior.T_map_last, prior.steady_velocity * prior.interval);
   const auto add = [&](int at, double sigma, const Vector6d& residual) {

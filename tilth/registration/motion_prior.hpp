@@ -2,10 +2,10 @@
 // equations of the scan.
 #pragma once
 
-#include <tilth/core/scan_tremor.hpp>
-#include <tilth/registration/align_moving_options.hpp>
-#include <tilth/registration/moving_alignment.hpp>
-#include <tilth/registration/moving_system.hpp>
+#include <tilth/core/scan_vibration.hpp>
+#include <tilth/registration/continuous_time_alignment.hpp>
+#include <tilth/registration/continuous_time_options.hpp>
+#include <tilth/registration/continuous_time_system.hpp>
 
 namespace tilth {
 
@@ -17,8 +17,8 @@ struct MotionPrior {
   Vector6d last_change = Vector6d::Zero();      ///< [rad/s^2, m/s^2] of that mean velocity, since the one before
   Vector6d steady_velocity = Vector6d::Zero();  ///< [rad/s, m/s] mean of about the last second
   double interval = 0.0;                        ///< [s] since the last pose; below 0 where that came after
-  TremorEvidence tremor = {};                   ///< of about the last two seconds
-  ScanTremor tremor_mean = {};                  ///< of about the last three seconds
+  VibrationEvidence vibration = {};             ///< of about the last two seconds
+  ScanVibration vibration_mean = {};            ///< of about the last three seconds
   bool known = false;                           ///< false: nothing is known of the motion yet, only that it is steady
 };
 
@@ -28,29 +28,29 @@ inline Pose predicted(const MotionPrior& prior) {
 }
 
 /// [rad^2, m^2] of the pose predicted: by the accelerations that a robot is capable of.
-Vector6d pose_variances(const MotionPrior& prior, const AlignMovingOptions& options);
+Vector6d pose_variances(const MotionPrior& prior, const ContinuousTimeOptions& options);
 
 /// [rad, m] standard deviation of a pose that goes on at the velocity of the last second.
-double steady_shift(const MotionPrior& prior, const AlignMovingOptions& options);
+double steady_shift(const MotionPrior& prior, const ContinuousTimeOptions& options);
 
 /// What is known after a scan, for the next one; `interval` is still to be set.
-MotionPrior next(const MotionPrior& prior, const MovingAlignment& alignment);
+MotionPrior next(const MotionPrior& prior, const ContinuousTimeAlignment& alignment);
 
 /// The pose is where the velocity expected leads to, give or take the accelerations that a robot is capable of.
-void add_pose_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
-                    MovingSystem& system);
+void add_pose_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state,
+                    ContinuousTimeSystem& system);
 
 /// What a velocity in the middle of the scan that differs from the motion since the last one says: the scan is bent.
 /// [rad/s^2, m/s^2]; 0 before anything is known of the motion, and where options want no scan bent.
-Vector6d acceleration_in(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state);
+Vector6d acceleration_in(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state);
 
 /// The velocity in the middle of the scan is where the last two motions, half an interval and one and a half before it,
 /// lead to, unless their acceleration is not that seen before: then it may differ.
-void add_velocity_prior(const MotionPrior& prior, const AlignMovingOptions& options, const MotionState& state,
-                        MovingSystem& system);
+void add_velocity_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state,
+                        ContinuousTimeSystem& system);
 
 /// Of a motion x of the pose, `lost` * x goes on as it was in the last second.
-void add_steady_prior(const MotionPrior& prior, const AlignMovingOptions& options, const Matrix6d& lost,
-                      const MotionState& state, MovingSystem& system);
+void add_steady_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const Matrix6d& lost,
+                      const MotionState& state, ContinuousTimeSystem& system);
 
 }  // namespace tilth

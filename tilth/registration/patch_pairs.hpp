@@ -6,8 +6,8 @@
 
 #include <tilth/core/scan_motion.hpp>
 #include <tilth/core/surface_patch.hpp>
-#include <tilth/registration/align_moving_options.hpp>
 #include <tilth/registration/association.hpp>
+#include <tilth/registration/continuous_time_options.hpp>
 
 namespace tilth {
 
@@ -59,16 +59,16 @@ struct PatchMatching {
 /// more patches.
 template <class Surface>
 double pair_variance(const SurfacePatch& patch, const Eigen::Vector3d& n, const Surface& surface,
-                     const AlignMovingOptions& options) {
-  return double(patch.thickness) / double(patch.points) + options.spread_share * n.dot(patch.covariance * n) +
-         (options.surface_share + options.surface_doubt / double(surface.patches)) * surface.variance +
+                     const ContinuousTimeOptions& options) {
+  return double(patch.thickness) / double(patch.points) + options.spread_ratio * n.dot(patch.covariance * n) +
+         (options.surface_ratio + options.surface_doubt / double(surface.patches)) * surface.variance +
          options.patch_variance;
 }
 
 /// Brings `matching`, of the iteration before, up to date at `state`.
 template <SurfaceLookup Lookup>
 void associate_patches(const SurfacePatches& patches, const MotionState& state, const Lookup& target,
-                       const AlignMovingOptions& options, PatchMatching& matching) {
+                       const ContinuousTimeOptions& options, PatchMatching& matching) {
   matching.matches.resize(patches.size());
   matching.pairs.clear();
   const double max_squared = options.max_distance * options.max_distance;

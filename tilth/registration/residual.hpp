@@ -85,9 +85,9 @@ inline Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& C) {
   const double xx = C(1, 1) * C(2, 2) - C(2, 1) * C(2, 1), xy = C(2, 0) * C(2, 1) - C(1, 0) * C(2, 2);
   const double xz = C(1, 0) * C(2, 1) - C(2, 0) * C(1, 1), yy = C(0, 0) * C(2, 2) - C(2, 0) * C(2, 0);
   const double yz = C(1, 0) * C(2, 0) - C(0, 0) * C(2, 1), zz = C(0, 0) * C(1, 1) - C(1, 0) * C(1, 0);
-  const double share = 1 / (C(0, 0) * xx + C(1, 0) * xy + C(2, 0) * xz);
+  const double ratio = 1 / (C(0, 0) * xx + C(1, 0) * xy + C(2, 0) * xz);
   Eigen::Matrix3d inverse;
-  inverse << share * xx, share * xy, share * xz, share * xy, share * yy, share * yz, share * xz, share * yz, share * zz;
+  inverse << ratio * xx, ratio * xy, ratio * xz, ratio * xy, ratio * yy, ratio * yz, ratio * xz, ratio * yz, ratio * zz;
   return inverse;
 }
 

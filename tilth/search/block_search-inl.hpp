@@ -16,7 +16,7 @@
 
 #include <tilth/search/candidate_rows-inl.hpp>
 #include <tilth/search/direction_bound-inl.hpp>
-#include <tilth/search/lone_search-inl.hpp>
+#include <tilth/search/isolated_search-inl.hpp>
 #include <tilth/search/nearest_keys-inl.hpp>
 
 HWY_BEFORE_NAMESPACE();
@@ -28,7 +28,7 @@ template <std::size_t kKept>
 class BlockSearch {
  public:
   BlockSearch(const RingLayout& layout, SearchBuffers& buffers, NeighborTable& table)
-      : l_(layout), table_(table), lone_(layout, buffers, table) {}
+      : l_(layout), table_(table), isolated_(layout, buffers, table) {}
 
   /// Finds the neighbours of points i, i + 1, ... of a ring, as many as there are lanes.
   HWY_INLINE void search_block(std::uint32_t r, std::uint32_t i) {
@@ -152,7 +152,7 @@ class BlockSearch {
 
   HWY_INLINE void search_ring(Block& b, const Ring& ring, float azimuth) {
     if (!reaches(b, ring.low, ring.high)) return;
-    const std::uint32_t slot = lone_.locate(ring, azimuth) - kLanes / 2;
+    const std::uint32_t slot = isolated_.locate(ring, azimuth) - kLanes / 2;
     if (b.count + 3 >= Rows::kMostCandidates) return leave(b, b.active);
     add(b, slot);
     expand(b, slot, 0, ring.count, &ring);
@@ -160,15 +160,15 @@ class BlockSearch {
 
   void search_alone(std::uint32_t slot, std::uint32_t lanes) {
     constexpr float kAnything = std::numeric_limits<float>::max();
-    for (std::uint32_t i = 0; i < lanes; ++i) lone_.search(ring_, slot + i, kAnything);
+    for (std::uint32_t i = 0; i < lanes; ++i) isolated_.search(ring_, slot + i, kAnything);
   }
 
   // Rows that the keys do not tell: of left lanes, some of whose neighbours are known, and those with ties.
   HWY_NOINLINE void settle(std::uint32_t slot, std::uint32_t lane, bool active) {
     NearestRow nearest(table_.k);
     if (active) rows_.offer(lane, nearest);
-    if (!active || !rows_.offer_ties(lane, nearest)) return lone_.search(ring_, slot, rows_.limit(lane, table_.k));
-    nearest.write(lone_.row(slot));
+    if (!active || !rows_.offer_ties(lane, nearest)) return isolated_.search(ring_, slot, rows_.limit(lane, table_.k));
+    nearest.write(isolated_.row(slot));
   }
 
   HWY_INLINE void write_rows(const Block& b, std::uint32_t lanes) {
@@ -177,7 +177,7 @@ class BlockSearch {
     const std::uint32_t clear = active & ~lanes_with_ties<Rows::kWanted + 1>(DI(), b.keys);
     for (std::uint32_t lane = 0; lane < lanes; ++lane) {
       if ((clear >> lane & 1) != 0) {
-        rows_.write(lane, lone_.row(b.slot + lane));
+        rows_.write(lane, isolated_.row(b.slot + lane));
       } else {
         settle(b.slot + lane, lane, (active >> lane & 1) != 0);
       }
@@ -186,7 +186,7 @@ class BlockSearch {
 
   const RingLayout& l_;
   const NeighborTable& table_;
-  LoneSearch lone_;
+  IsolatedSearch isolated_;
   std::uint32_t ring_ = 0;
   Rows rows_;
 };

@@ -10,7 +10,7 @@
 
 #include <hwy/highway.h>
 
-#include <tilth/search/lone_search-inl.hpp>
+#include <tilth/search/isolated_search-inl.hpp>
 #include <tilth/search/nearest_keys-inl.hpp>
 
 HWY_BEFORE_NAMESPACE();

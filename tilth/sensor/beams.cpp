@@ -14,10 +14,10 @@ constexpr double kBin = 0.02 * kDegree;
 constexpr std::array kSmoothings{0.4 * kDegree, 0.2 * kDegree, 0.1 * kDegree,
                                  0.05 * kDegree};  ///< sigma, coarsest first
 constexpr double kValley = 0.6;                    ///< of the lower peak: a shallower valley parts no beams
-constexpr double kSmallestShare = 5e-4;            ///< of all points on a beam
+constexpr double kSmallestRatio = 5e-4;            ///< of all points on a beam
 constexpr double kLargestSpread = 0.15;            ///< rms distance from the beam over the spacing; 0.29 without beams
-constexpr double kClearShare = 0.95;               ///< of the points on narrow beams: as good as it gets
-constexpr double kLeastShare = 0.8;                ///< where the lowest beams blur on near ground
+constexpr double kClearRatio = 0.95;               ///< of the points on narrow beams: as good as it gets
+constexpr double kLeastRatio = 0.8;                ///< where the lowest beams blur on near ground
 constexpr std::size_t kFewestBeams = 8, kMostBeams = 128;
 
 struct Histogram {
@@ -80,7 +80,7 @@ std::size_t nearest(std::span<const double> sorted, double value) {
 std::vector<double> frequent(std::span<const double> elevations, std::span<const double> centres) {
   std::vector<std::size_t> count(centres.size(), 0);
   for (const double e : elevations) ++count[nearest(centres, e)];
-  const double least = std::max(10.0, kSmallestShare * double(elevations.size()));
+  const double least = std::max(10.0, kSmallestRatio * double(elevations.size()));
   std::vector<double> beams;
   for (std::size_t b = 0; b < centres.size(); ++b) {
     if (double(count[b]) >= least) beams.push_back(centres[b]);
@@ -89,7 +89,7 @@ std::vector<double> frequent(std::span<const double> elevations, std::span<const
 }
 
 /// Share of the points on beams that are narrow beside the distance to the next beam.
-double share_on_narrow_beams(std::span<const double> elevations, std::span<const double> beams) {
+double ratio_on_narrow_beams(std::span<const double> elevations, std::span<const double> beams) {
   std::vector<double> squares(beams.size(), 0.0);
   std::vector<std::size_t> count(beams.size(), 0);
   for (const double e : elevations) {
@@ -116,19 +116,19 @@ std::vector<double> find_beams(std::span<const double> elevations) {
   if (elevations.size() < kFewestBeams * 10) return {};
   const Histogram raw = histogram(elevations);
   std::vector<double> best;
-  double best_share = kLeastShare;
+  double best_ratio = kLeastRatio;
   for (const double sigma : kSmoothings) {
     const Histogram h = smoothed(raw, sigma);
     std::vector<double> centres;
     for (const std::size_t bin : peaks(h)) centres.push_back(h.centre(bin));
     const std::vector<double> beams = frequent(elevations, centres);
     if (beams.size() < kFewestBeams || beams.size() > kMostBeams) continue;
-    const double share = share_on_narrow_beams(elevations, beams);
-    if (share > best_share) {
-      best_share = share;
+    const double ratio = ratio_on_narrow_beams(elevations, beams);
+    if (ratio > best_ratio) {
+      best_ratio = ratio;
       best = beams;
     }
-    if (share > kClearShare) break;
+    if (ratio > kClearRatio) break;
   }
   return best;
 }

@@ -10,10 +10,10 @@ namespace {
 
 using std::numbers::pi;
 constexpr double kDegree = pi / 180.0;
-constexpr double kNearAxis = 0.2;                ///< [m] nearer to the axis than this an azimuth tells nothing
-constexpr double kLargestSweep = 1.5 * 2 * pi;   ///< [rad]
-constexpr double kSmallestSweep = 10 * kDegree;  ///< [rad]
-constexpr double kGap = 90 * kDegree;            ///< [rad] a larger step is a gap without returns, crossed forwards
+constexpr double kNearAxis = 0.2;                   ///< [m] nearer to the axis than this an azimuth tells nothing
+constexpr double kLargestRotation = 1.5 * 2 * pi;   ///< [rad]
+constexpr double kSmallestRotation = 10 * kDegree;  ///< [rad]
+constexpr double kGap = 90 * kDegree;               ///< [rad] a larger step is a gap without returns, crossed forwards
 constexpr double kOrderTolerance = 1.5 * kDegree;
 constexpr double kRowReturn = 20 * kDegree;  ///< [rad] azimuth falls back by more than this where a row begins
 
@@ -129,24 +129,25 @@ bool follow_in_elevation(std::span<const Eigen::Vector3d> points, std::span<cons
 
 }  // namespace
 
-std::optional<Sweep> find_sweep(std::span<const Eigen::Vector3d> points, std::span<const std::uint16_t> rings) {
+std::optional<HeadRotation> find_head_rotation(std::span<const Eigen::Vector3d> points,
+                                               std::span<const std::uint16_t> rings) {
   if (points.size() < 2) return std::nullopt;
   const std::vector<double> azimuth = azimuths(points);
-  Sweep sweep;
-  sweep.clockwise = turns_clockwise(azimuth);
-  const double direction = sweep.clockwise ? -1.0 : 1.0;
+  HeadRotation rotation;
+  rotation.clockwise = turns_clockwise(azimuth);
+  const double direction = rotation.clockwise ? -1.0 : 1.0;
   std::vector<double> turned = unwrapped(azimuth, direction);
   const double total = turned.back() - turned.front();
-  if (total < kSmallestSweep || total > kLargestSweep) return std::nullopt;
+  if (total < kSmallestRotation || total > kLargestRotation) return std::nullopt;
 
   remove_ring_offsets(rings, ascending_fit(turned), turned);
-  sweep.progress = ascending_fit(turned);
-  if (mean_distance(turned, sweep.progress) > kOrderTolerance) return std::nullopt;
-  const double start = sweep.progress.front();
-  sweep.begin = direction * start;
-  for (double& angle : sweep.progress) angle -= start;
-  sweep.ray_grid = is_ray_grid(azimuth, sweep.clockwise);
-  return sweep;
+  rotation.progress = ascending_fit(turned);
+  if (mean_distance(turned, rotation.progress) > kOrderTolerance) return std::nullopt;
+  const double start = rotation.progress.front();
+  rotation.begin = direction * start;
+  for (double& angle : rotation.progress) angle -= start;
+  rotation.ray_grid = is_ray_grid(azimuth, rotation.clockwise);
+  return rotation;
 }
 
 std::optional<std::vector<std::uint32_t>> find_rows(std::span<const Eigen::Vector3d> points) {

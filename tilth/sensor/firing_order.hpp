@@ -12,7 +12,7 @@
 
 namespace tilth {
 
-struct Sweep {
+struct HeadRotation {
   std::vector<double> progress;  ///< [rad] >= 0, ascending: how far the head had turned since the first point
   double begin = 0.0;            ///< [rad] azimuth of the head at the first point
   bool clockwise = true;         ///< seen from +z
@@ -24,7 +24,8 @@ struct Sweep {
 
 /// The sweep that wrote `points`, or nothing where they are not in firing order over at most about one turn.
 /// `rings` has one entry a point, or none.
-std::optional<Sweep> find_sweep(std::span<const Eigen::Vector3d> points, std::span<const std::uint16_t> rings);
+std::optional<HeadRotation> find_head_rotation(std::span<const Eigen::Vector3d> points,
+                                               std::span<const std::uint16_t> rings);
 
 /// First point of each ring where each beam's turn is stored after the other (KITTI .bin, organised clouds), or
 /// nothing. Rows follow one another in elevation, 8 to 128 of them.

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kEchoes{"both", "strongest", "farthest"};
 constexpr double kTurn = 36000.0;  // [0.01 deg]
 constexpr double kHundredthDegree = std::numbers::pi / 18000.0;
-constexpr double kBackwards = 1000.0;  // [0.01 deg] a head at rest may tremble by less
+constexpr double kBackwards = 1000.0;  // [0.01 deg] a head at rest may vibrate by less
 constexpr double kLeastTurn = 0.5, kWholeTurn = 0.99;
 constexpr double kLongestTurn = 1.0;  // [s]
 
@@ -143,8 +143,8 @@ void PacketDecoder::add_column(const DataPacket& packet, const Column& column) {
 
 void PacketDecoder::add_point(const Column& column, std::size_t slot, double range, float intensity) {
   const std::size_t channel = slot % format().channels();
-  const double share = slot_times_[slot] / format().block_period();
-  const double azimuth = (column.azimuth + column.step * share) * kHundredthDegree;
+  const double ratio = slot_times_[slot] / format().block_period();
+  const double azimuth = (column.azimuth + column.step * ratio) * kHundredthDegree;
   const double across = range * cosines_[channel], behind = azimuth - format().centre_angle;
   const double x = across * std::cos(azimuth) + format().centre_radius * std::cos(behind);
   const double y = -across * std::sin(azimuth) - format().centre_radius * std::sin(behind);

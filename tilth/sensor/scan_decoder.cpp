@@ -99,24 +99,24 @@ void ScanDecoder::decide_times(std::span<const MeasuredPoints> scans, std::span<
 
 void ScanDecoder::decide_spin(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,
                               const RecordingTraits& traits) {
-  std::vector<Sweep> sweeps;
-  std::vector<double> sweep_stamps;
+  std::vector<HeadRotation> rotations;
+  std::vector<double> rotation_stamps;
   for (std::size_t k = 0; k < scans.size(); ++k) {
-    std::optional<Sweep> sweep = find_sweep(scans[k].points, rings_->rings_of(scans[k]));
-    if (!sweep) continue;
-    sweeps.push_back(std::move(*sweep));
-    sweep_stamps.push_back(stamps[k].stamp);
+    std::optional<HeadRotation> rotation = find_head_rotation(scans[k].points, rings_->rings_of(scans[k]));
+    if (!rotation) continue;
+    rotations.push_back(std::move(*rotation));
+    rotation_stamps.push_back(stamps[k].stamp);
   }
-  if (sweeps.empty() || 2 * sweeps.size() < scans.size()) {
+  if (rotations.empty() || 2 * rotations.size() < scans.size()) {
     decisions_.emplace_back("time: no field and the points are not in the order of firing: no point times");
     return;
   }
-  if (sweeps.front().ray_grid && traits.times != CloudTimes::derived) {
+  if (rotations.front().ray_grid && traits.times != CloudTimes::derived) {
     decisions_.emplace_back(
         "time: no field, and the points lie on a ray caster's exact grid: scans are snapshots, no point times");
     return;
   }
-  const SpinDecision spin = measure_spin(sweeps, sweep_stamps, traits.nominal_stamps);
+  const SpinDecision spin = measure_spin(rotations, rotation_stamps, traits.nominal_stamps);
   spin_period_ = spin.period;
   cut_ = spin.cut;
   decisions_.push_back(spin.sentence);
@@ -134,11 +134,11 @@ Scan ScanDecoder::decode(const StampedRecords& stamped) const {
 
 void ScanDecoder::set_times(MeasuredPoints& measured, double stamp, Scan& scan) const {
   if (spin_period_) {
-    if (const std::optional<Sweep> sweep = find_sweep(measured.points, scan.cloud.rings)) {
+    if (const std::optional<HeadRotation> rotation = find_head_rotation(measured.points, scan.cloud.rings)) {
       const double rate = *spin_period_ / (2 * std::numbers::pi);
-      if (cut_) scan.stamp += delay_of_first(*sweep, *cut_, *spin_period_);
-      scan.cloud.times.reserve(sweep->progress.size());
-      for (const double angle : sweep->progress) scan.cloud.times.push_back(float(angle * rate));
+      if (cut_) scan.stamp += delay_of_first(*rotation, *cut_, *spin_period_);
+      scan.cloud.times.reserve(rotation->progress.size());
+      for (const double angle : rotation->progress) scan.cloud.times.push_back(float(angle * rate));
     }
   }
   scan.cloud.points = std::move(measured.points);

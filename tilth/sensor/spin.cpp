@@ -23,7 +23,7 @@ double median(std::vector<double> values) {
 }
 
 /// [rad] turned from the end of `a` to the beginning of `b`, as the nearest of all whole turns.
-double gap(const Sweep& a, const Sweep& b) {
+double gap(const HeadRotation& a, const HeadRotation& b) {
   return std::remainder((a.clockwise ? -1 : 1) * (b.begin - a.end()), kTurn);
 }
 
@@ -33,51 +33,53 @@ std::string number(const char* format, double value) {
   return text;
 }
 
-std::string derived(const Sweep& sweep) {
+std::string derived(const HeadRotation& rotation) {
   return std::string("time: no field, derived from the order of firing (") +
-         (sweep.clockwise ? "clockwise" : "counter-clockwise") + ", " + number("%.1f", sweep.covered() / kDegree) +
-         " deg a scan)";
+         (rotation.clockwise ? "clockwise" : "counter-clockwise") + ", " +
+         number("%.1f", rotation.covered() / kDegree) + " deg a scan)";
 }
 
 /// Where all scans begin, if they do so at the same azimuth.
-std::optional<double> fixed_cut(std::span<const Sweep> sweeps) {
-  if (sweeps.size() < 2) return std::nullopt;
+std::optional<double> fixed_cut(std::span<const HeadRotation> rotations) {
+  if (rotations.size() < 2) return std::nullopt;
   std::vector<double> starts;
-  for (const Sweep& sweep : sweeps) starts.push_back(std::remainder(sweep.begin - sweeps[0].begin, kTurn));
+  for (const HeadRotation& rotation : rotations)
+    starts.push_back(std::remainder(rotation.begin - rotations[0].begin, kTurn));
   const double centre = median(starts);
   for (double& start : starts) start = std::abs(start - centre);
   if (median(std::move(starts)) > kFixedCut) return std::nullopt;
-  return sweeps[0].begin + centre;
+  return rotations[0].begin + centre;
 }
 
 enum class Succession { unknown, follows, leaves_out };
 
 /// Whether scans follow without a gap, which only scans tell that are not all cut at the same azimuth.
-Succession succession(std::span<const Sweep> sweeps) {
-  if (sweeps.size() < 2 || fixed_cut(sweeps)) return Succession::unknown;
+Succession succession(std::span<const HeadRotation> rotations) {
+  if (rotations.size() < 2 || fixed_cut(rotations)) return Succession::unknown;
   std::vector<double> gaps;
-  for (std::size_t k = 1; k < sweeps.size(); ++k) gaps.push_back(std::abs(gap(sweeps[k - 1], sweeps[k])));
+  for (std::size_t k = 1; k < rotations.size(); ++k) gaps.push_back(std::abs(gap(rotations[k - 1], rotations[k])));
   return median(gaps) < kContinues ? Succession::follows : Succession::leaves_out;
 }
 
 }  // namespace
 
-double delay_of_first(const Sweep& sweep, double cut, double period) {
-  const double late = (sweep.clockwise ? -1 : 1) * std::remainder(sweep.begin - cut, kTurn);
-  const bool ends_before_cut = late + sweep.covered() < kTurn + kContinues;  // else the cut has wandered
+double delay_of_first(const HeadRotation& rotation, double cut, double period) {
+  const double late = (rotation.clockwise ? -1 : 1) * std::remainder(rotation.begin - cut, kTurn);
+  const bool ends_before_cut = late + rotation.covered() < kTurn + kContinues;  // else the cut has wandered
   return late > kFixedCut && ends_before_cut ? late / kTurn * period : 0.0;
 }
 
-SpinDecision measure_spin(std::span<const Sweep> sweeps, std::span<const double> stamps, bool nominal_stamps) {
+SpinDecision measure_spin(std::span<const HeadRotation> rotations, std::span<const double> stamps,
+                          bool nominal_stamps) {
   std::vector<double> periods;
-  for (std::size_t k = 1; k < sweeps.size(); ++k) {
-    const double turned = sweeps[k - 1].covered() + gap(sweeps[k - 1], sweeps[k]);
+  for (std::size_t k = 1; k < rotations.size(); ++k) {
+    const double turned = rotations[k - 1].covered() + gap(rotations[k - 1], rotations[k]);
     const double step = stamps[k] - stamps[k - 1];
     if (step > 0.0 && turned > kDegree) periods.push_back(step * kTurn / turned);
   }
-  const std::optional<double> cut = fixed_cut(sweeps);
-  const Succession order = succession(sweeps);
-  const std::string begin = derived(sweeps.front());
+  const std::optional<double> cut = fixed_cut(rotations);
+  const Succession order = succession(rotations);
+  const std::string begin = derived(rotations.front());
   if (nominal_stamps && order == Succession::leaves_out) {
     return {{},
             {},

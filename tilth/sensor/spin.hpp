@@ -19,9 +19,9 @@ struct SpinDecision {
 
 /// `sweeps[k]` is the sweep of the scan stamped `stamps[k]` [s]; consecutive scans, at least one. Stamps are nominal
 /// where nobody recorded them.
-SpinDecision measure_spin(std::span<const Sweep> sweeps, std::span<const double> stamps, bool nominal_stamps);
+SpinDecision measure_spin(std::span<const HeadRotation> rotations, std::span<const double> stamps, bool nominal_stamps);
 
 /// [s] from the stamp to the first point: more than 0 where the first returns after a fixed cut are missing.
-double delay_of_first(const Sweep& sweep, double cut, double period);
+double delay_of_first(const HeadRotation& rotation, double cut, double period);
 
 }  // namespace tilth

@@ -18,7 +18,7 @@ constexpr std::array<Unit, 4> kUnits{
     {{1.0, "seconds"}, {1e-3, "milliseconds"}, {1e-6, "microseconds"}, {1e-9, "nanoseconds"}}};
 constexpr double kShortestSpan = 0.008, kLongestSpan = 0.5;  ///< [s] of a scan; less than a factor 1000: one unit fits
 constexpr double kFewestSteps = 64.0;                        ///< of float32 within a scan
-constexpr double kLargestOutlierShare = 0.05;
+constexpr double kLargestOutlierRatio = 0.05;
 
 /// float32 holds so few digits at `range` that points of one scan fall on the same few values.
 bool too_coarse(const ValueRange& range, FieldType type) {
@@ -135,7 +135,7 @@ std::optional<PointTimes> point_times(const TimeConvention& convention, std::spa
     first = std::min(first, since[i]);
     last = std::max(last, since[i]);
   }
-  if (double(result.outliers.size()) > kLargestOutlierShare * double(values.size())) return {};
+  if (double(result.outliers.size()) > kLargestOutlierRatio * double(values.size())) return {};
   result.times.resize(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) result.times[i] = float(since[i] - first);
   for (const std::uint32_t i : result.outliers) result.times[i] = 0.0f;

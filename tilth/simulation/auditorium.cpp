@@ -95,8 +95,8 @@ Scene auditorium(const SceneOptions& options) {
   add_fittings(scene.mesh, look);
   for (int row = 0; row < kRows; ++row) add_row(scene.mesh, look, row, random);
   add_stage(scene.mesh, look);
-  const Way way = way_of(kLegs);
-  scene.movers.walkers = walkers_beside(way, options.people, 0.9, random);
+  const Path path = path_of(kLegs);
+  scene.movers.walkers = walkers_beside(path, options.people, 0.9, random);
   scene.trajectory = travel(kLegs, options);
   return scene;
 }

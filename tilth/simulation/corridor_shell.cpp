@@ -25,18 +25,18 @@ Look look_of(Mesh& mesh, const CorridorStyle& style) {
 /// A wall of the outline, its frame and what is decided along it.
 struct WallSite {
   Vector3d from, to;
-  double yaw;      // [rad] of its direction
-  const Way& way;  // of the corridor
+  double yaw;        // [rad] of its direction
+  const Path& path;  // of the corridor
 
   double length() const { return (to - from).norm(); }
   Vector3d at(double s) const { return from + s / length() * (to - from); }
-  double arc(double s) const { return arc_of(way, at(s)); }  // [m] along the way
+  double arc(double s) const { return arc_of(path, at(s)); }  // [m] along the way
 };
 
 /// The floor (or ceiling) of each straight part; parts overlap in the corners.
-void add_slabs(Mesh& mesh, SurfaceId surface, const Way& way, double half_width, double z) {
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Way part = lengthened({way[i - 1], way[i]}, half_width);
+void add_slabs(Mesh& mesh, SurfaceId surface, const Path& path, double half_width, double z) {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Path part = lengthened({path[i - 1], path[i]}, half_width);
     const Vector3d along = part[1] - part[0], across = 2 * half_width * Vector3d::UnitZ().cross(along).normalized();
     add_quad(mesh, surface, part[0] - 0.5 * across + Vector3d(0, 0, z), {along, across}, kNoSides);
   }
@@ -85,14 +85,14 @@ void add_notice_board(Mesh& mesh, const Pose& T_world_foot, double width) {
   add_box(mesh, board, T_world_foot * upright({0, thickness / 2, 0.95}, 0), {width, thickness, 1.0});
 }
 
-void add_corridor(Mesh& mesh, const Way& way, const CorridorStyle& style, CounterRandom& random) {
+void add_corridor(Mesh& mesh, const Path& path, const CorridorStyle& style, CounterRandom& random) {
   const Look look = look_of(mesh, style);
-  add_slabs(mesh, look.floor, way, style.half_width, 0);
-  add_slabs(mesh, look.ceiling, way, style.half_width, style.height);
-  for (const Way& corners : outlines(way, style.half_width)) {
+  add_slabs(mesh, look.floor, path, style.half_width, 0);
+  add_slabs(mesh, look.ceiling, path, style.half_width, style.height);
+  for (const Path& corners : outlines(path, style.half_width)) {
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vector3d from = corners[i], to = corners[(i + 1) % corners.size()];
-      const WallSite site{from, to, std::atan2(to.y() - from.y(), to.x() - from.x()), way};
+      const WallSite site{from, to, std::atan2(to.y() - from.y(), to.x() - from.x()), path};
       add_corridor_wall(mesh, look, style, site, random);
     }
   }

@@ -31,6 +31,6 @@ struct CorridorStyle {
 };
 
 /// Adds the corridor about the way, a ring or open.
-void add_corridor(Mesh& mesh, const Way& way, const CorridorStyle& style, CounterRandom& random);
+void add_corridor(Mesh& mesh, const Path& path, const CorridorStyle& style, CounterRandom& random);
 
 }  // namespace tilth

@@ -5,8 +5,8 @@
 
 #include <tilth/core/error.hpp>
 #include <tilth/simulation/mesh.hpp>
+#include <tilth/simulation/path.hpp>
 #include <tilth/simulation/smooth_step.hpp>
-#include <tilth/simulation/way.hpp>
 
 namespace tilth {
 namespace {
@@ -49,13 +49,13 @@ struct Corner {
   Vector3d direction;  // change of
   double yaw;          // [rad] change of, the shorter way
 
-  double share(double at) const { return (at - arc) / (2 * reach) + 0.5; }
+  double ratio(double at) const { return (at - arc) / (2 * reach) + 0.5; }
 };
 
 /// The way as a function of its length: straight, plus what each corner has turned it by.
-class RoundedWay {
+class RoundedPath {
  public:
-  RoundedWay(const std::vector<Vector3d>& points, double corner) : start_(points.front()) {
+  RoundedPath(const std::vector<Vector3d>& points, double corner) : start_(points.front()) {
     std::vector<double> lengths;
     for (std::size_t i = 1; i < points.size(); ++i) lengths.push_back((points[i] - points[i - 1]).norm());
     Vector3d direction = direction_ = (points[1] - points[0]) / lengths[0];
@@ -77,8 +77,8 @@ class RoundedWay {
     Vector3d position = start_ + arc * direction_;
     double yaw = yaw_;
     for (const Corner& corner : corners_) {
-      position += 2 * corner.reach * smooth_step_area(corner.share(arc)) * corner.direction;
-      yaw += smooth_step(corner.share(arc)) * corner.yaw;
+      position += 2 * corner.reach * smooth_step_area(corner.ratio(arc)) * corner.direction;
+      yaw += smooth_step(corner.ratio(arc)) * corner.yaw;
     }
     return upright(position, yaw);
   }
@@ -118,20 +118,20 @@ std::vector<Vector3d> parse_waypoints(std::string_view text, double height) {
   return points;
 }
 
-Trajectory drive_through(const std::vector<Vector3d>& waypoints, const WayOptions& options,
+Trajectory drive_through(const std::vector<Vector3d>& waypoints, const PathOptions& options,
                          const MotionOptions& motion) {
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
     if ((waypoints[i] - waypoints[i - 1]).norm() > kSame) continue;
     throw Error("waypoints", "number " + std::to_string(i) + " and the next one are the same");
   }
-  const RoundedWay way(waypoints, options.corner);
-  const Drive drive(way.length(), options.cruise * motion.speed_scale);
+  const RoundedPath path(waypoints, options.corner);
+  const Drive drive(path.length(), options.cruise * motion.speed_scale);
   if (!(drive.duration() <= kLongestDrive)) throw Error("waypoints", "take more than ten hours at this speed");
   Trajectory trajectory;
   const auto last = std::size_t(std::ceil(drive.duration() * kTruthRate));
   for (std::size_t i = 0; i <= last; ++i) {
     const double time = double(i) / kTruthRate;
-    trajectory.push_back({time, shaken(way.at(drive.arc(time)), time, motion)});
+    trajectory.push_back({time, shaken(path.at(drive.arc(time)), time, motion)});
   }
   return trajectory;
 }

@@ -68,8 +68,8 @@ void mix(Echo& echo, const Sight& seen, const Sight& beside, const NoiseOptions&
   const Eigen::Vector3d step = beside.point() - seen.point();
   const bool same_plane = std::abs(step.dot(seen.hit.normal)) < kSamePlane;
   if (same_plane || !random.chance(options.mixed)) return;
-  const double share = random.uniform(0.1, 0.9);
-  echo.range += share * (beside.hit.distance - echo.range);
+  const double ratio = random.uniform(0.1, 0.9);
+  echo.range += ratio * (beside.hit.distance - echo.range);
   echo.kind = PointKind::mixed;
 }
 

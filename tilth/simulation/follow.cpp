@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include <tilth/core/error.hpp>
-#include <tilth/simulation/way.hpp>
+#include <tilth/simulation/path.hpp>
 
 namespace tilth {
 namespace {

@@ -20,8 +20,8 @@ void furnish_ward(Mesh& mesh, Movers& movers, const RoomsBeside::Taken& ward, Co
   add_room(mesh, room, ward.door_width);
   const double far = room.wall + room.depth, side = room.width / 2;
   const Pose& T = room.T_world_entry;
-  for (const double share : {0.35, 0.75}) {
-    const double x = room.wall + share * room.depth;
+  for (const double ratio : {0.35, 0.75}) {
+    const double x = room.wall + ratio * room.depth;
     add_bed(mesh, T * upright({x, side, 0}, std::numbers::pi));
     add_cabinet(mesh, T * upright({x + 0.75, side, 0}, std::numbers::pi), {0.45, 0.4, 0.85});
   }
@@ -45,7 +45,7 @@ void add_corridor_cabinet(Mesh& mesh, const Pose& T_world_foot, double width) {
 
 Scene hospital(const SceneOptions& options) {
   CounterRandom random(options.seed, kStream);
-  const Way whole = lengthened(way_of(kLegs), 4.0);
+  const Path whole = lengthened(path_of(kLegs), 4.0);
   CorridorStyle style;
   style.half_width = kHalfWidth, style.height = kHeight, style.least_gap = 0.9, style.most_gap = 3.0;
   style.adorned = 0.3, style.adorn = add_corridor_cabinet;

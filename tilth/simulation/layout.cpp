@@ -26,8 +26,8 @@ Vector3d crossing(const Vector3d& p, const Vector3d& u, const Vector3d& q, const
   return p + across.dot(q - p) / across.dot(u) * u;
 }
 
-bool ring(const Way& way) {
-  return way.size() > 3 && (way.front() - way.back()).norm() < 1e-6;
+bool ring(const Path& path) {
+  return path.size() > 3 && (path.front() - path.back()).norm() < 1e-6;
 }
 
 bool comes_near(const Walker& walker, const Trajectory& trajectory) {
@@ -41,14 +41,14 @@ struct Nearest {
   double arc = 0, distance = std::numeric_limits<double>::infinity();
 };
 
-Nearest nearest_on(const Way& way, const Vector3d& point) {
+Nearest nearest_on(const Path& path, const Vector3d& point) {
   Nearest best;
   double before = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Vector3d side = way[i] - way[i - 1];
-    const double share = std::clamp((point - way[i - 1]).dot(side) / side.squaredNorm(), 0.0, 1.0);
-    const double distance = (point - way[i - 1] - share * side).head<2>().norm();
-    if (distance < best.distance) best = {before + share * side.norm(), distance};
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Vector3d side = path[i] - path[i - 1];
+    const double ratio = std::clamp((point - path[i - 1]).dot(side) / side.squaredNorm(), 0.0, 1.0);
+    const double distance = (point - path[i - 1] - ratio * side).head<2>().norm();
+    if (distance < best.distance) best = {before + ratio * side.norm(), distance};
     before += side.norm();
   }
   return best;
@@ -56,7 +56,7 @@ Nearest nearest_on(const Way& way, const Vector3d& point) {
 
 }  // namespace
 
-Way way_of(std::span<const Leg> legs) {
+Path path_of(std::span<const Leg> legs) {
   MotionOptions still;
   still.wobble = still.weave = 0;
   const Trajectory trajectory = drive(legs, Pose::Identity(), still);
@@ -64,70 +64,70 @@ Way way_of(std::span<const Leg> legs) {
     const Vector3d p = interpolate(trajectory, stamp).translation();
     return {p.x(), p.y(), 0};
   };
-  Way way{place(0)};
+  Path path{place(0)};
   double stamp = 0;
   for (const Leg& leg : legs) {
     const double end = stamp + leg.duration;
     if (std::abs(leg.turn) > 0.2) {
-      way.push_back(crossing(place(stamp), heading_at(trajectory, stamp), place(end), heading_at(trajectory, end)));
+      path.push_back(crossing(place(stamp), heading_at(trajectory, stamp), place(end), heading_at(trajectory, end)));
     }
     stamp = end;
   }
-  way.push_back(place(stamp));
-  return way;
+  path.push_back(place(stamp));
+  return path;
 }
 
-Way offset(const Way& way, double left) {
-  Way moved;
-  const std::size_t last = way.size() - 1;
-  for (std::size_t i = 0; i < way.size(); ++i) {
-    const std::size_t before = i > 0 ? i - 1 : ring(way) ? last - 1 : 0;
-    const std::size_t after = i < last ? i + 1 : ring(way) ? 1 : last;
-    const Vector3d in = (i == before ? way[1] - way[0] : way[i] - way[before]).normalized();
-    const Vector3d out = (i == after ? in : way[after] - way[i]).normalized();
+Path offset(const Path& path, double left) {
+  Path moved;
+  const std::size_t last = path.size() - 1;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::size_t before = i > 0 ? i - 1 : ring(path) ? last - 1 : 0;
+    const std::size_t after = i < last ? i + 1 : ring(path) ? 1 : last;
+    const Vector3d in = (i == before ? path[1] - path[0] : path[i] - path[before]).normalized();
+    const Vector3d out = (i == after ? in : path[after] - path[i]).normalized();
     const Vector3d mitre = (left_of(in) + left_of(out)).normalized();
-    moved.push_back(way[i] + left / mitre.dot(left_of(in)) * mitre);
+    moved.push_back(path[i] + left / mitre.dot(left_of(in)) * mitre);
   }
   return moved;
 }
 
-Way lengthened(Way way, double more) {
-  const std::size_t n = way.size();
-  const Vector3d first = (way[0] - way[1]).normalized(), last = (way[n - 1] - way[n - 2]).normalized();
-  way[0] += more * first;
-  way[n - 1] += more * last;
-  return way;
+Path lengthened(Path path, double more) {
+  const std::size_t n = path.size();
+  const Vector3d first = (path[0] - path[1]).normalized(), last = (path[n - 1] - path[n - 2]).normalized();
+  path[0] += more * first;
+  path[n - 1] += more * last;
+  return path;
 }
 
-double length_of(const Way& way) {
+double length_of(const Path& path) {
   double length = 0;
-  for (std::size_t i = 1; i < way.size(); ++i) length += (way[i] - way[i - 1]).norm();
+  for (std::size_t i = 1; i < path.size(); ++i) length += (path[i] - path[i - 1]).norm();
   return length;
 }
 
-double arc_of(const Way& way, const Vector3d& point) {
-  return nearest_on(way, point).arc;
+double arc_of(const Path& path, const Vector3d& point) {
+  return nearest_on(path, point).arc;
 }
 
-double distance_to(const Way& way, const Vector3d& point) {
-  return nearest_on(way, point).distance;
+double distance_to(const Path& path, const Vector3d& point) {
+  return nearest_on(path, point).distance;
 }
 
-Way footprint(const Trajectory& trajectory) {
+Path footprint(const Trajectory& trajectory) {
   const auto on_floor = [](const StampedPose& pose) -> Vector3d {
     return {pose.T_world_lidar.translation().x(), pose.T_world_lidar.translation().y(), 0};
   };
-  Way way{on_floor(trajectory.front())};
+  Path path{on_floor(trajectory.front())};
   for (const StampedPose& pose : trajectory) {
-    if ((on_floor(pose) - way.back()).norm() > 0.25) way.push_back(on_floor(pose));
+    if ((on_floor(pose) - path.back()).norm() > 0.25) path.push_back(on_floor(pose));
   }
-  return way;
+  return path;
 }
 
-std::vector<Way> outlines(const Way& way, double half_width) {
-  Way right = offset(way, -half_width), left = offset(way, half_width);
+std::vector<Path> outlines(const Path& path, double half_width) {
+  Path right = offset(path, -half_width), left = offset(path, half_width);
   std::reverse(left.begin(), left.end());
-  if (ring(way)) {
+  if (ring(path)) {
     right.pop_back(), left.pop_back();
     return {right, left};
   }
@@ -155,11 +155,11 @@ Trajectory travel(std::span<const Leg> legs, const SceneOptions& options) {
   return cut(drive(legs, upright(Vector3d(0, 0, options.height), 0), motion_of(options)), options.duration);
 }
 
-std::vector<Walker> walkers_beside(const Way& way, int count, double beside, CounterRandom& random) {
+std::vector<Walker> walkers_beside(const Path& path, int count, double beside, CounterRandom& random) {
   std::vector<Walker> walkers;
-  const double length = length_of(way);
+  const double length = length_of(path);
   for (int i = 0; i < count; ++i) {
-    Walker walker{offset(way, i % 2 == 0 ? beside : -beside)};
+    Walker walker{offset(path, i % 2 == 0 ? beside : -beside)};
     walker.speed = random.uniform(0.8, 1.4);
     walker.start = length * (0.3 + (i + random.uniform()) / count);
     walker.height = random.uniform(1.6, 1.9);

@@ -10,27 +10,27 @@
 
 namespace tilth {
 
-using Way = std::vector<Eigen::Vector3d>;  ///< corners on the floor, z = 0 [m]; a ring ends where it begins
+using Path = std::vector<Eigen::Vector3d>;  ///< corners on the floor, z = 0 [m]; a ring ends where it begins
 
 /// Start, the corner that each turning leg cuts, and end of a drive that starts at the origin along +x.
-Way way_of(std::span<const Leg> legs);
+Path path_of(std::span<const Leg> legs);
 
 /// The way moved `left` [m] to its left (negative: right), mitred at the corners.
-Way offset(const Way& way, double left);
+Path offset(const Path& path, double left);
 
 /// The way with `more` [m] added at both ends.
-Way lengthened(Way way, double more);
+Path lengthened(Path path, double more);
 
-double length_of(const Way& way);                                  ///< [m]
-double arc_of(const Way& way, const Eigen::Vector3d& point);       ///< [m] along it of its point nearest to `point`
-double distance_to(const Way& way, const Eigen::Vector3d& point);  ///< [m] in the plane
+double length_of(const Path& path);                                  ///< [m]
+double arc_of(const Path& path, const Eigen::Vector3d& point);       ///< [m] along it of its point nearest to `point`
+double distance_to(const Path& path, const Eigen::Vector3d& point);  ///< [m] in the plane
 
 /// The way that a trajectory took, a corner every 0.25 m, on the floor.
-Way footprint(const Trajectory& trajectory);
+Path footprint(const Trajectory& trajectory);
 
 /// Closed outlines of all that lies within `half_width` of the way, that ground on their left; each first corner comes
 /// once. One outline, two of a ring.
-std::vector<Way> outlines(const Way& way, double half_width);
+std::vector<Path> outlines(const Path& path, double half_width);
 
 /// Speed, vibration and seed of a scene.
 MotionOptions motion_of(const SceneOptions& options);
@@ -42,7 +42,7 @@ Trajectory cut(Trajectory trajectory, double duration);
 Trajectory travel(std::span<const Leg> legs, const SceneOptions& options);
 
 /// People who walk to and fro `beside` [m] the way, alternately on its left and its right.
-std::vector<Walker> walkers_beside(const Way& way, int count, double beside, CounterRandom& random);
+std::vector<Walker> walkers_beside(const Path& path, int count, double beside, CounterRandom& random);
 
 /// The walkers set off so that none comes within 0.6 m of the sensor; who cannot is left out.
 std::vector<Walker> kept_clear(std::vector<Walker> walkers, const Trajectory& trajectory);

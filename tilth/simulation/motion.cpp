@@ -77,7 +77,7 @@ class SlowWave {
 };
 
 /// Vibration of an engine or a cart: three tones of 9 to 23 Hz in each of six coordinates, of deviation 1.
-double tremor(std::uint64_t seed, int axis, double time) {
+double vibration(std::uint64_t seed, int axis, double time) {
   CounterRandom random(seed, kVibrationStream + std::uint64_t(axis));
   double sum = 0;
   for (int i = 0; i < 3; ++i) {
@@ -92,11 +92,11 @@ struct Sway {
 };
 
 Pose with_sway(const Planar& at, double time, const Sway& sway, const MotionOptions& options) {
-  const double share = smooth_step(std::abs(at.speed) / kCruise);
-  const double roll = share * options.wobble * sway.roll.at(time);
-  const double pitch = share * options.wobble * sway.pitch.at(time);
+  const double ratio = smooth_step(std::abs(at.speed) / kCruise);
+  const double roll = ratio * options.wobble * sway.roll.at(time);
+  const double pitch = ratio * options.wobble * sway.pitch.at(time);
   Pose T = Pose::Identity();
-  T.translation() = Eigen::Vector3d(at.x, at.y, share * 0.003 * sway.heave.at(time));
+  T.translation() = Eigen::Vector3d(at.x, at.y, ratio * 0.003 * sway.heave.at(time));
   T.linear() = (Eigen::AngleAxisd(at.yaw, Eigen::Vector3d::UnitZ()) *
                 Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
                    .toRotationMatrix();
@@ -121,7 +121,7 @@ Pose shaken(const Pose& T_world_lidar, double time, const MotionOptions& options
   if (options.vibration == 0 && options.vibration_angle == 0) return T_world_lidar;
   Vector6d shake;
   for (int axis = 0; axis < 6; ++axis) {
-    shake[axis] = (axis < 3 ? options.vibration_angle : options.vibration) * tremor(options.seed, axis, time);
+    shake[axis] = (axis < 3 ? options.vibration_angle : options.vibration) * vibration(options.seed, axis, time);
   }
   return retract(T_world_lidar, shake);
 }

@@ -39,8 +39,8 @@ void furnish_office(Mesh& mesh, Movers& movers, const RoomsBeside::Taken& taken,
 
 Scene office(const SceneOptions& options) {
   CounterRandom random(options.seed, kStream);
-  const Way way = way_of(kLegs);
-  const Way ring{way[1], way[2], way[3], way[4], way[1]};
+  const Path path = path_of(kLegs);
+  const Path ring{path[1], path[2], path[3], path[4], path[1]};
   CorridorStyle style;
   style.half_width = kHalfWidth, style.height = kHeight, style.least_gap = 1.2, style.most_gap = 3.5;
   style.adorned = 0.3, style.floor = Material::matte;

@@ -36,17 +36,17 @@ const std::vector<Leg> kLegs{{3, 0, 0},
                              {6, 0.6, 0},
                              {3, 0, 0}};
 
-Eigen::AlignedBox2d area_of(const Way& way) {
+Eigen::AlignedBox2d area_of(const Path& path) {
   Eigen::AlignedBox2d area;
-  for (const Vector3d& corner : way) area.extend(corner.head<2>());
+  for (const Vector3d& corner : path) area.extend(corner.head<2>());
   return {area.min().array() - kMargin, area.max().array() + kMargin};
 }
 
 /// Places with `room` [m] about them, clear of the way and of each other.
 class Ground {
  public:
-  Ground(const Eigen::AlignedBox2d& area, const Way& way, CounterRandom& random)
-      : area_(area), way_(way), random_(random) {}
+  Ground(const Eigen::AlignedBox2d& area, const Path& path, CounterRandom& random)
+      : area_(area), path_(path), random_(random) {}
 
   Vector3d take(double room) {
     for (int attempt = 0; attempt < 500; ++attempt) {
@@ -61,7 +61,7 @@ class Ground {
 
  private:
   bool free(const Vector3d& place, double room) const {
-    if (distance_to(way_, place) < room + kClear) return false;
+    if (distance_to(path_, place) < room + kClear) return false;
     for (const Vector3d& other : taken_) {
       if ((other - place).head<2>().norm() < other.z() + room) return false;
     }
@@ -69,7 +69,7 @@ class Ground {
   }
 
   Eigen::AlignedBox2d area_;
-  const Way& way_;
+  const Path& path_;
   CounterRandom& random_;
   std::vector<Vector3d> taken_;  // x, y and the room taken
 };
@@ -105,15 +105,15 @@ Scene plaza(const SceneOptions& options) {
   CounterRandom random(options.seed, kStream);
   SceneOptions whole = options;
   whole.duration = 0, whole.speed = 1;
-  const Way way = footprint(travel(kLegs, whole));
-  const Eigen::AlignedBox2d area = area_of(way);
+  const Path path = footprint(travel(kLegs, whole));
+  const Eigen::AlignedBox2d area = area_of(path);
   Scene scene;
   add_paving(scene.mesh, area, 1.2, random);
   const SurfaceId asphalt = add_surface(scene.mesh, {"asphalt", Material::matte, 0.2});
   add_quad(scene.mesh, asphalt, {area.min().x() - 40, area.min().y() - 40, -0.04},
            {Vector3d(area.sizes().x() + 80, 0, 0), Vector3d(0, area.sizes().y() + 80, 0)}, kNoSides);
   add_buildings(scene.mesh, area);
-  Ground ground(area, way, random);
+  Ground ground(area, path, random);
   add_things(scene.mesh, ground, random);
   for (int i = 0; i < options.people; ++i) {
     Walker walker{{ground.take(0.4), ground.take(0.4)}};

@@ -15,8 +15,8 @@ bool within(const Room& room, const Eigen::Vector3d& point) {
 }
 
 /// Points all over a room's ground, 0.25 m apart at most.
-Way grid_of(const Room& room) {
-  Way points;
+Path grid_of(const Room& room) {
+  Path points;
   const int nx = int(std::ceil(room.depth / 0.25)), ny = int(std::ceil(room.width / 0.25));
   for (int i = 0; i <= nx; ++i) {
     for (int j = 0; j <= ny; ++j) {
@@ -30,9 +30,9 @@ Way grid_of(const Room& room) {
 }  // namespace
 
 bool RoomsBeside::free(const Room& room) const {
-  const Way points = grid_of(room);
+  const Path points = grid_of(room);
   return std::none_of(points.begin(), points.end(), [&](const Eigen::Vector3d& point) {
-    return distance_to(way_, point) < half_width_ + kBetween ||
+    return distance_to(path_, point) < half_width_ + kBetween ||
            std::any_of(taken_.begin(), taken_.end(), [&](const Taken& t) { return within(t.room, point); });
   });
 }

@@ -10,7 +10,7 @@ namespace tilth {
 
 class RoomsBeside {
  public:
-  RoomsBeside(const Way& way, double half_width) : way_(way), half_width_(half_width) {}
+  RoomsBeside(const Path& path, double half_width) : path_(path), half_width_(half_width) {}
 
   /// Whether a room of the size of `wanted` has ground behind its entry; if so it is taken.
   bool take(const Room& wanted, double door_width);
@@ -24,7 +24,7 @@ class RoomsBeside {
  private:
   bool free(const Room& room) const;
 
-  Way way_;
+  Path path_;
   double half_width_;
   std::vector<Taken> taken_;
 };

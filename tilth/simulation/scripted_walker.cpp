@@ -11,7 +11,7 @@ namespace {
 /// Between way-points `index - 1` and `index`, a share of the way on.
 struct Place {
   std::size_t index = 0;
-  double share = 0.0;
+  double ratio = 0.0;
 };
 
 Place place_at(const ScriptedWalker& walker, double time) {
@@ -29,11 +29,11 @@ Place place_at(const ScriptedWalker& walker, double time) {
 }  // namespace
 
 Pose pose_at(const ScriptedWalker& walker, double time) {
-  const auto [index, share] = place_at(walker, time);
+  const auto [index, ratio] = place_at(walker, time);
   const Footing& to = walker.script[index];
   const Footing& from = walker.script[index > 0 ? index - 1 : 0];
   const double turn = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
-  return upright(from.position + share * (to.position - from.position), from.yaw + share * turn);
+  return upright(from.position + ratio * (to.position - from.position), from.yaw + ratio * turn);
 }
 
 Eigen::AlignedBox3d feet_between(const ScriptedWalker& walker, double begin, double end) {
@@ -48,11 +48,11 @@ Eigen::AlignedBox3d feet_between(const ScriptedWalker& walker, double begin, dou
 }
 
 double walked_at(const ScriptedWalker& walker, double time) {
-  const auto [index, share] = place_at(walker, time);
+  const auto [index, ratio] = place_at(walker, time);
   double walked = 0;
   for (std::size_t i = 1; i <= index; ++i) {
     const double leg = (walker.script[i].position - walker.script[i - 1].position).norm();
-    walked += i < index ? leg : share * leg;
+    walked += i < index ? leg : ratio * leg;
   }
   return walked;
 }

@@ -7,9 +7,9 @@
 
 #include <tilth/core/options.hpp>
 #include <tilth/simulation/mesh_world.hpp>
+#include <tilth/simulation/path.hpp>
 #include <tilth/simulation/scenes.hpp>
 #include <tilth/simulation/simulate_scan.hpp>
-#include <tilth/simulation/way.hpp>
 
 namespace tilth {
 
@@ -17,7 +17,7 @@ struct SimulationOptions {
   std::string sensor = "vlp16";
   int columns = 0;  ///< firings a turn; 0: as the sensor does
   SceneOptions scene;
-  WayOptions way;
+  PathOptions path;
   NoiseOptions noise;
 };
 
@@ -27,7 +27,7 @@ void visit(SimulationOptions& o, V&& v) {
   v("sensor", o.sensor, "[-] leishen_c16, vlp16, hdl32 or hdl64");
   v("columns", o.columns, Bounds{0, 20000}, "[-] firings a turn, evenly spread; 0: as the sensor does");
   visit(o.scene, v);
-  visit(o.way, v);
+  visit(o.path, v);
   visit(o.noise, v);
 }
 

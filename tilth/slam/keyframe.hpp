@@ -29,7 +29,7 @@ void visit(KeyframeOptions& o, V&& v) {
 struct Keyframe {
   std::size_t scan = 0;                        ///< number among the registered scans
   double stamp = 0.0;                          ///< [s]
-  double way = 0.0;                            ///< [m] travelled up to here
+  double path = 0.0;                           ///< [m] travelled up to here
   Pose T_odometry_lidar = Pose::Identity();    ///< by odometry alone
   Matrix6d covariance = Matrix6d::Identity();  ///< [rad^2, m^2] of the motion since the keyframe before
   SurfacePatches patches = {};                 ///< in the LiDAR frame at `stamp`

@@ -13,28 +13,28 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kWorthOptimizing = 1.0;  // [sigma^2] that an accepted closure and the graph differ by
 
 // [m] of odometry on the shortest way from the newest keyframe to each, closures taken as no way at all (Dijkstra).
-std::vector<double> ways_to(const std::vector<Keyframe>& keyframes, const std::vector<LoopClosure>& closures) {
+std::vector<double> paths_to(const std::vector<Keyframe>& keyframes, const std::vector<LoopClosure>& closures) {
   std::vector<std::vector<std::size_t>> joined(keyframes.size());
   for (const LoopClosure& closure : closures) {
     if (closure.verdict != Verdict::accepted) continue;
     joined[closure.constraint.from].push_back(closure.constraint.to);
     joined[closure.constraint.to].push_back(closure.constraint.from);
   }
-  std::vector<double> ways(keyframes.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> paths(keyframes.size(), std::numeric_limits<double>::infinity());
   std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>> open;
-  const auto reach = [&](double way, std::size_t i) {
-    if (way < ways[i]) open.emplace(ways[i] = way, i);
+  const auto reach = [&](double path, std::size_t i) {
+    if (path < paths[i]) open.emplace(paths[i] = path, i);
   };
   reach(0, keyframes.size() - 1);
   while (!open.empty()) {
-    const auto [way, i] = open.top();
+    const auto [path, i] = open.top();
     open.pop();
-    if (way > ways[i]) continue;
-    if (i > 0) reach(way + keyframes[i].way - keyframes[i - 1].way, i - 1);
-    if (i + 1 < keyframes.size()) reach(way + keyframes[i + 1].way - keyframes[i].way, i + 1);
-    for (const std::size_t other : joined[i]) reach(way, other);
+    if (path > paths[i]) continue;
+    if (i > 0) reach(path + keyframes[i].path - keyframes[i - 1].path, i - 1);
+    if (i + 1 < keyframes.size()) reach(path + keyframes[i + 1].path - keyframes[i].path, i + 1);
+    for (const std::size_t other : joined[i]) reach(path, other);
   }
-  return ways;
+  return paths;
 }
 
 }  // namespace
@@ -86,15 +86,15 @@ bool LoopCloser::verify_all(const std::vector<LoopCandidate>& candidates, const 
 bool LoopCloser::confirm(LoopClosure& closure) {
   const Constraint& mine = closure.constraint;
   closure.squared_error = squared_error(mine, poses_[mine.from], poses_[mine.to]);
-  const auto way_between = [&](std::size_t a, std::size_t b) {
-    return std::abs(keyframes_[a].way - keyframes_[b].way);
+  const auto path_between = [&](std::size_t a, std::size_t b) {
+    return std::abs(keyframes_[a].path - keyframes_[b].path);
   };
   bool confirmed = false;
   for (LoopClosure& other : closures_) {
     const Constraint& theirs = other.constraint;
     const bool verified = other.verdict == Verdict::accepted || other.verdict == Verdict::unconfirmed;
-    if (!verified || theirs.to == mine.to || way_between(theirs.to, mine.to) > options_.consistency.way ||
-        way_between(theirs.from, mine.from) > 2 * options_.consistency.way)
+    if (!verified || theirs.to == mine.to || path_between(theirs.to, mine.to) > options_.consistency.path ||
+        path_between(theirs.from, mine.from) > 2 * options_.consistency.path)
       continue;
     const Pose T_to_to = poses_[mine.to].inverse() * poses_[theirs.to];
     const Pose T_from_from = poses_[mine.from].inverse() * poses_[theirs.from];
@@ -109,12 +109,12 @@ bool LoopCloser::confirm(LoopClosure& closure) {
 }
 
 std::vector<Expectation> LoopCloser::expectations() const {
-  const std::vector<double> ways = ways_to(keyframes_, closures_);
+  const std::vector<double> paths = paths_to(keyframes_, closures_);
   const UncertaintyOptions& o = options_.odometry;
   std::vector<Expectation> expected(keyframes_.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    expected[i] = {poses_[i].inverse() * poses_.back(), o.least + o.sigmas * o.drift * ways[i],
-                   (o.least_turn + o.sigmas * o.turn_drift * ways[i]) * kDegree};
+    expected[i] = {poses_[i].inverse() * poses_.back(), o.least + o.sigmas * o.drift * paths[i],
+                   (o.least_turn + o.sigmas * o.turn_drift * paths[i]) * kDegree};
   }
   return expected;
 }
@@ -130,11 +130,11 @@ Submap LoopCloser::submap(std::size_t center, std::size_t first, std::size_t las
 
 Constraint LoopCloser::odometry_constraint(std::size_t to) const {
   const Keyframe &a = keyframes_[to - 1], &b = keyframes_[to];
-  const double way = std::max(b.way - a.way, 0.1), noise = options_.odometry.noise;
+  const double path = std::max(b.path - a.path, 0.1), noise = options_.odometry.noise;
   const double turn_noise = options_.odometry.turn_noise * kDegree;
   Matrix6d covariance = options_.odometry.covariance_scale * b.covariance;
-  covariance.diagonal().head<3>().array() += turn_noise * turn_noise * way;
-  covariance.diagonal().tail<3>().array() += noise * noise * way;
+  covariance.diagonal().head<3>().array() += turn_noise * turn_noise * path;
+  covariance.diagonal().tail<3>().array() += noise * noise * path;
   return {to - 1, to, a.T_odometry_lidar.inverse() * b.T_odometry_lidar, covariance.inverse(), false};
 }
 

@@ -39,7 +39,7 @@ void visit(UncertaintyOptions& o, V&& v) {
 }
 
 struct ConsistencyOptions {
-  double way = 15.0;
+  double path = 15.0;
   double distance = 0.1;
   double angle = 0.7;
   double max_squared_error = 25.0;
@@ -47,7 +47,7 @@ struct ConsistencyOptions {
 
 template <class V>
 void visit(ConsistencyOptions& o, V&& v) {
-  v("way", o.way, Bounds{0, 1e6}, "[m] of travel within which another closure must agree before one is accepted");
+  v("way", o.path, Bounds{0, 1e6}, "[m] of travel within which another closure must agree before one is accepted");
   v("distance", o.distance, Bounds{0, 100}, "[m] by which two closures that agree may differ");
   v("angle", o.angle, Bounds{0, 180}, "[deg] the same of the rotation");
   v("max_squared_error", o.max_squared_error, Bounds{0, 1e9},

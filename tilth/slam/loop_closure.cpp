@@ -48,10 +48,10 @@ void measure_overlap(const SubmapPair& pair, const SubmapOptions& options, LoopC
   const Pose& T_from_to = closure.constraint.T_from_to;
   const Overlap forth = overlap_of(pair.to.patches(), T_from_to, pair.from.fine(), pair.axis, options);
   const SurfacePatches seen_from_to = moved(pair.from.patches(), T_from_to.inverse());
-  closure.overlap = forth.share;
+  closure.overlap = forth.ratio;
   closure.landmarks = forth.landmarks;
   closure.fitness = forth.fitness;
-  closure.back_overlap = overlap_of(seen_from_to, Pose::Identity(), pair.to.fine(), pair.axis, options).share;
+  closure.back_overlap = overlap_of(seen_from_to, Pose::Identity(), pair.to.fine(), pair.axis, options).ratio;
 }
 
 // Where a registration ends that begins `shift` [m] along the weakest axis, if that is elsewhere and fits as well.

@@ -19,11 +19,11 @@ void keep_best(std::vector<Scored>& scored, std::size_t most) {
 }
 
 // Of keyframes on one pass only the best: the others see the same.
-void keep_one_a_pass(std::vector<Scored>& scored, const PlacesSeen& places, double min_way) {
+void keep_one_a_pass(std::vector<Scored>& scored, const PlacesSeen& places, double min_path) {
   std::vector<Scored> kept;
   for (const Scored& s : scored) {
     const auto on_its_pass = [&](const Scored& k) {
-      return std::abs(places.keyframes[k.keyframe].way - places.keyframes[s.keyframe].way) < min_way / 2;
+      return std::abs(places.keyframes[k.keyframe].path - places.keyframes[s.keyframe].path) < min_path / 2;
     };
     if (std::none_of(kept.begin(), kept.end(), on_its_pass)) kept.push_back(s);
   }
@@ -34,8 +34,8 @@ double distance_to(const Expectation& expected) {
   return expected.T_from_to.translation().norm();
 }
 
-bool is_earlier_pass(const PlacesSeen& places, std::size_t keyframe, double min_way) {
-  return places.keyframes.back().way - places.keyframes[keyframe].way >= min_way;
+bool is_earlier_pass(const PlacesSeen& places, std::size_t keyframe, double min_path) {
+  return places.keyframes.back().path - places.keyframes[keyframe].path >= min_path;
 }
 
 Pose turned_by(double yaw) {
@@ -48,11 +48,11 @@ std::vector<LoopCandidate> candidates_by_radius(const PlacesSeen& places, const 
   std::vector<Scored> near;
   for (std::size_t i = 0; i < places.keyframes.size(); ++i) {
     const Expectation& expected = places.expected[i];
-    if (!is_earlier_pass(places, i, options.min_way)) break;
+    if (!is_earlier_pass(places, i, options.min_path)) break;
     if (distance_to(expected) <= options.radius + expected.translation) near.push_back({i, distance_to(expected)});
   }
   keep_best(near, near.size());
-  keep_one_a_pass(near, places, options.min_way);
+  keep_one_a_pass(near, places, options.min_path);
   keep_best(near, std::size_t(options.max_candidates));
   std::vector<LoopCandidate> candidates;
   for (const Scored& s : near)
@@ -65,7 +65,7 @@ std::vector<LoopCandidate> candidates_by_context(const PlacesSeen& places, const
   const ScanContext& query = places.keyframes.back().context;
   std::vector<Scored> alike;
   for (std::size_t i = 0; i < places.keyframes.size(); ++i) {
-    if (!is_earlier_pass(places, i, options.min_way)) break;
+    if (!is_earlier_pass(places, i, options.min_path)) break;
     const Expectation& expected = places.expected[i];
     if (distance_to(expected) > options.radius + expected.translation) continue;
     alike.push_back({i, double((places.keyframes[i].context.ring_key - query.ring_key).norm())});

@@ -12,7 +12,7 @@
 namespace tilth {
 
 struct DetectOptions {
-  double min_way = 20.0;
+  double min_path = 20.0;
   double radius = 5.0;
   int max_candidates = 2;
   int context_candidates = 10;
@@ -21,7 +21,7 @@ struct DetectOptions {
 
 template <class V>
 void visit(DetectOptions& o, V&& v) {
-  v("min_way", o.min_way, Bounds{0, 1e6}, "[m] travelled between two passes of a place, at least");
+  v("min_path", o.min_path, Bounds{0, 1e6}, "[m] travelled between two passes of a place, at least");
   v("radius", o.radius, Bounds{0, 1e4}, "[m] about the expected place in which earlier keyframes are looked for");
   v("max_candidates", o.max_candidates, Bounds{1, 1000}, "[-] keyframes verified of either kind");
   v("context_candidates", o.context_candidates, Bounds{1, 10000},

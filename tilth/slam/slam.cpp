@@ -12,7 +12,7 @@ Slam::Slam(std::unique_ptr<Odometry> odometry, const SlamOptions& options)
 OdometryResult Slam::register_scan(const Scan& scan) {
   OdometryResult result = odometry_->register_scan(scan);
   if (!trajectory_.empty())
-    way_ += (result.T_world_lidar.translation() - trajectory_.back().T_world_lidar.translation()).norm();
+    path_ += (result.T_world_lidar.translation() - trajectory_.back().T_world_lidar.translation()).norm();
   trajectory_.push_back({result.stamp, result.T_world_lidar});
   covariance_ += result.alignment.covariance;
   const std::vector<Keyframe>& keyframes = closer_.keyframes();
@@ -26,7 +26,7 @@ void Slam::add_keyframe(const OdometryResult& result, double scan_stamp) {
   begin_stage("keyframe");
   Keyframe keyframe = make_keyframe(result, scan_stamp, keyframe_options_);
   keyframe.scan = trajectory_.size() - 1;
-  keyframe.way = way_;
+  keyframe.path = path_;
   keyframe.covariance = covariance_;
   covariance_.setZero();
   closer_.add(std::move(keyframe), [this](std::string_view stage) { begin_stage(stage); });
@@ -42,9 +42,9 @@ Trajectory Slam::trajectory() const {
     const bool last = k + 1 == keyframes.size();
     const std::size_t begin = keyframes[k].scan, end = last ? corrected.size() : keyframes[k + 1].scan;
     for (std::size_t i = begin; i < end; ++i) {
-      const double share = double(i - begin) / double(end - begin);
+      const double ratio = double(i - begin) / double(end - begin);
       const Pose before = by_keyframe(k, i), after = last ? before : by_keyframe(k + 1, i);
-      corrected[i].T_world_lidar = interpolate(before, after, share);
+      corrected[i].T_world_lidar = interpolate(before, after, ratio);
     }
   }
   return corrected;

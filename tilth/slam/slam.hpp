@@ -48,7 +48,7 @@ class Slam : public Odometry {
   KeyframeOptions keyframe_options_;
   LoopCloser closer_;
   Trajectory trajectory_;
-  double way_ = 0.0;                        // [m]
+  double path_ = 0.0;                       // [m]
   Matrix6d covariance_ = Matrix6d::Zero();  // of the registrations since the last keyframe, summed
 };
 

@@ -59,7 +59,7 @@ AlignResult refine(const SurfacePatches& source, const Submap& target, const Pos
 
 /// How far two submaps tell of the same surfaces.
 struct Overlap {
-  double share = 0.0;      ///< of the patches within range that lie on a surface of the other submap
+  double ratio = 0.0;      ///< of the patches within range that lie on a surface of the other submap
   double landmarks = 0.0;  ///< the same of those that face along an axis, or are not flat
   double fitness = 0.0;    ///< [m] root mean square distance from these surfaces
 };

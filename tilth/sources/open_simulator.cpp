@@ -18,7 +18,7 @@ std::vector<std::string> folders_of(const std::string& model_path) {
   return folders;
 }
 
-bool has_own_way(const WayOptions& way) {
+bool has_own_path(const PathOptions& way) {
   if (!way.path.empty() && !way.waypoints.empty()) throw Error("waypoints", "are given beside a path: one of the two");
   return !way.path.empty() || !way.waypoints.empty();
 }
@@ -33,9 +33,9 @@ Trajectory followed(const std::string& path, const MotionOptions& motion) {
   }
 }
 
-Trajectory own_way(const SimulationOptions& options) {
+Trajectory own_path(const SimulationOptions& options) {
   const MotionOptions motion = motion_of(options.scene);
-  const WayOptions& way = options.way;
+  const PathOptions& way = options.way;
   return cut(way.path.empty() ? drive_through(parse_waypoints(way.waypoints, options.scene.height), way, motion)
                               : followed(way.path, motion),
              options.scene.duration);
@@ -56,7 +56,7 @@ OpenedSimulator open_simulator(const std::string& name, const OptionValues& valu
     throw Error("scene", "is missing: expected a file or one of " + options_detail::joined(scene_names()));
   OpenedSimulator opened{simulation_options(world_file ? kForeignScene : name, values), nullptr, {}};
   const SimulationOptions& options = opened.options;
-  const bool own = has_own_way(options.way);
+  const bool own = has_own_path(options.way);
   if (world_file && !own) {
     throw Error(name,
                 "has no way for the sensor: give --waypoints \"x,y;x,y\" or --path FILE.tum (a pose a line: stamp "
@@ -64,7 +64,7 @@ OpenedSimulator open_simulator(const std::string& name, const OptionValues& valu
   }
   Scene scene = world_file ? scene_of(name, options, opened.warnings) : make_scene(name, options.scene);
   if (own) {
-    scene.trajectory = own_way(options);
+    scene.trajectory = own_path(options);
     scene.movers.walkers = kept_clear(std::move(scene.movers.walkers), scene.trajectory);
   }
   opened.simulator = std::make_unique<Simulator>(std::move(scene), options);

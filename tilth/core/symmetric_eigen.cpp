@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include <tilth/core/least_spread.hpp>
+#include <tilth/core/symmetric_eigen.hpp>
 
 namespace tilth {
 namespace {
@@ -33,10 +33,10 @@ double laguerre_step(const Cubic& c, double x) {
 
 double least_root(const Cubic& c) {
   double x = 0;
-  for (int i = 0; i < kMostSpreadSteps; ++i) {
+  for (int i = 0; i < kMostEigenvalueSteps; ++i) {
     const double step = laguerre_step(c, x);
     x += step;
-    if (std::abs(step) <= kStillSpread * x) break;
+    if (std::abs(step) <= kEigenvalueTolerance * x) break;
   }
   return x;
 }
@@ -49,14 +49,14 @@ Eigen::Vector3d roots(const Cubic& c, double least) {
 
 }  // namespace
 
-Eigen::Vector3d spreads(const Eigen::Matrix3d& C) {
+Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& C) {
   Eigen::Matrix<double, 6, 1> entries;
   entries << C(0, 0), C(1, 1), C(2, 2), C(0, 1), C(1, 2), C(0, 2);
   const Cubic c = characteristic(entries);
   return roots(c, least_root(c));
 }
 
-Eigen::Vector3d direction_of_least(const Eigen::Matrix3d& covariance, double least) {
+Eigen::Vector3d smallest_eigenvector(const Eigen::Matrix3d& covariance, double least) {
   const Eigen::Matrix3d shifted = covariance - least * Eigen::Matrix3d::Identity();
   // It is normal to every row; the two that are least parallel tell best.
   const Eigen::Vector3d normals[] = {shifted.col(0).cross(shifted.col(1)), shifted.col(1).cross(shifted.col(2)),

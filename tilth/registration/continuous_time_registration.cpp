@@ -6,9 +6,9 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include <tilth/registration/align_moving.hpp>
-#include <tilth/registration/moving_system.hpp>
-#include <tilth/registration/tremor.hpp>
+#include <tilth/registration/continuous_time_registration.hpp>
+#include <tilth/registration/continuous_time_system.hpp>
+#include <tilth/registration/vibration.hpp>
 
 namespace tilth {
 namespace {
@@ -16,18 +16,18 @@ namespace {
 constexpr double kWhollyTrusted = 1.5;  // times the share below which a direction is degenerate
 
 // How much the pairs are to be believed along a direction with this share of the strongest one's information.
-double trust(double share, double degeneracy_ratio) {
-  return std::clamp((share / degeneracy_ratio - 1.0) / (kWhollyTrusted - 1.0), 0.0, 1.0);
+double trust(double ratio, double degeneracy_ratio) {
+  return std::clamp((ratio / degeneracy_ratio - 1.0) / (kWhollyTrusted - 1.0), 0.0, 1.0);
 }
 
 // What the pairs would determine if all were right, as they may not be yet: keep * x is the part of a motion x
 // of the pose that they are trusted with.
-Matrix6d trusted_part(const PatchPairs& pairs, const Pose& T_map_lidar, const AlignMovingOptions& options) {
+Matrix6d trusted_part(const PatchPairs& pairs, const Pose& T_map_lidar, const ContinuousTimeOptions& options) {
   const LinearSystem system = unweighted(pairs, T_map_lidar);
   const Vector6d scale = arc_scale(system);
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * system.H * scale.asDiagonal());
-  const Vector6d shares = eigen.eigenvalues() / eigen.eigenvalues()[5];
-  const Vector6d kept = shares.unaryExpr([&](double share) { return trust(share, options.degeneracy_ratio); });
+  const Vector6d ratios = eigen.eigenvalues() / eigen.eigenvalues()[5];
+  const Vector6d kept = ratios.unaryExpr([&](double ratio) { return trust(ratio, options.degeneracy_ratio); });
   if ((kept.array() == 1.0).all()) return Matrix6d::Identity();
   return scale.asDiagonal() * eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose() *
          scale.cwiseInverse().asDiagonal();
@@ -35,27 +35,27 @@ Matrix6d trusted_part(const PatchPairs& pairs, const Pose& T_map_lidar, const Al
 
 // Along directions that the pairs hardly determine, slightly wrong normals and rings, which travel with the sensor, say
 // more than the surfaces do. There, in what `keep` does not keep, the pairs are not heard.
-void keep_only(const Matrix6d& keep, MovingParts& parts) {
+void keep_only(const Matrix6d& keep, SegmentSystems& parts) {
   Matrix12d keep_both = Matrix12d::Zero();
   keep_both.topLeftCorner<6, 6>() = keep_both.bottomRightCorner<6, 6>() = keep;
-  for (MovingSystem& part : parts) {
+  for (ContinuousTimeSystem& part : parts) {
     part.H = keep_both.transpose() * part.H * keep_both;
     part.b = keep_both.transpose() * part.b;
   }
 }
 
 // Before, pairs are yet to be found.
-bool narrow(const MotionState& state, const AlignMovingOptions& options) {
+bool narrow(const MotionState& state, const ContinuousTimeOptions& options) {
   return state.kernel_width <= options.kernel_width;
 }
 
 struct Linearized {
-  MovingParts parts;
-  MovingSystem whole = {};
+  SegmentSystems parts;
+  ContinuousTimeSystem whole = {};
   Matrix6d lost = Matrix6d::Zero();  // * x is the part of a motion x of the pose that the pairs are not heard about
 };
 
-void add_priors(const PatchPairs& pairs, const MotionPrior& prior, const AlignMovingOptions& options,
+void add_priors(const PatchPairs& pairs, const MotionPrior& prior, const ContinuousTimeOptions& options,
                 const MotionState& state, Linearized& at_state) {
   if (prior.known && narrow(state, options)) {
     const Matrix6d keep = trusted_part(pairs, state.T_map_lidar, options);
@@ -70,7 +70,7 @@ void add_priors(const PatchPairs& pairs, const MotionPrior& prior, const AlignMo
   add_velocity_prior(prior, options, state, at_state.whole);
 }
 
-bool step_steady(const MovingSystem& system, Vector12d& step) {
+bool step_steady(const ContinuousTimeSystem& system, Vector12d& step) {
   const Eigen::LDLT<Matrix12d> factor(system.H);
   step = factor.solve(-system.b);
   return factor.info() == Eigen::Success && step.allFinite();
@@ -85,34 +85,34 @@ double residual_scale(const PatchPairs& pairs, double error) {
 
 }  // namespace
 
-ScanPrior scan_prior(const MotionPrior& motion, double middle, const AlignMovingOptions& options) {
+ScanPrior scan_prior(const MotionPrior& motion, double middle, const ContinuousTimeOptions& options) {
   if (!motion.known || !(middle > 0)) return {motion};
-  const TremorSpread spread = tremor_spread(motion.tremor, options.tremor);
+  const VibrationSigma spread = vibration_sigma(motion.vibration, options.vibration);
   if (spread.none()) return {motion};
-  return {motion, spread, knot_precision(2 * middle, options.tremor)};
+  return {motion, spread, knot_precision(2 * middle, options.vibration)};
 }
 
-bool step_moving(const PatchPairs& pairs, const ScanPrior& prior, const AlignMovingOptions& options, MotionState& state,
-                 MovingAlignment& result) {
+bool gauss_newton_step(const PatchPairs& pairs, const ScanPrior& prior, const ContinuousTimeOptions& options,
+                       MotionState& state, ContinuousTimeAlignment& result) {
   Linearized at_state{.parts = linearize(pairs, state)};
   at_state.whole = sum_of(at_state.parts);
   ++result.pose.iterations;
   diagnose(at_state.whole.pose, options.degeneracy_ratio, result.pose);
   if (pairs.size() < std::size_t(options.min_matches)) return false;
   add_priors(pairs, prior.motion, options, state, at_state);
-  const MovingSystem& system = at_state.whole;
+  const ContinuousTimeSystem& system = at_state.whole;
   const double scale = residual_scale(pairs, result.pose.error);
-  TremorPrior tremor;
-  std::optional<TremblingFactor> trembling;
+  VibrationPrior vibration;
+  std::optional<VibrationFactor> vibration_factor;
   Vector12d step;
   if (prior.spread.none() || !narrow(state, options)) {
     if (!step_steady(system, step)) return false;
   } else {
-    const TremblingScan scan{share_of_mean(std::abs(prior.motion.interval)), scale, prior.knots};
-    tremor = tremor_prior(prior.spread, prior.motion.tremor_mean, scan, options.tremor);
-    const TremblingSystem whole = trembling_system(at_state.parts, system, tremor, state);
-    trembling.emplace(whole.H);
-    if (!step_trembling(whole, *trembling, step, state.motion.tremor)) return false;
+    const VibratingScan scan{mean_gain(std::abs(prior.motion.interval)), scale, prior.knots};
+    vibration = vibration_prior(prior.spread, prior.motion.vibration_mean, scan, options.vibration);
+    const VibrationSystem whole = vibration_system(at_state.parts, system, vibration, state);
+    vibration_factor.emplace(whole.H);
+    if (!step_with_vibration(whole, *vibration_factor, step, state.motion.vibration)) return false;
   }
   state.T_map_lidar = retract(state.T_map_lidar, step.head<6>());
   state.motion.velocity += step.tail<6>();
@@ -120,9 +120,9 @@ bool step_moving(const PatchPairs& pairs, const ScanPrior& prior, const AlignMov
   result.pose.converged =
       step.head<3>().norm() < options.rotation_epsilon && step.segment<3>(3).norm() < options.translation_epsilon;
   if (!result.pose.converged && result.pose.iterations < options.max_iterations) return true;
-  if (trembling) result.evidence = evidence_of(*trembling, tremor, state.motion.tremor);
+  if (vibration_factor) result.evidence = evidence_of(*vibration_factor, vibration, state.motion.vibration);
   const Matrix6d covariance =
-      trembling ? covariance_in_middle(*trembling) : Matrix6d(system.H.inverse().topLeftCorner<6, 6>());
+      vibration_factor ? covariance_in_middle(*vibration_factor) : Matrix6d(system.H.inverse().topLeftCorner<6, 6>());
   const Matrix6d astray = steady_shift(prior.motion, options) * at_state.lost;  // no residual tells of it
   result.covariance = scale * covariance + astray * astray.transpose();
   result.dead_reckoned = at_state.lost;

@@ -1,10 +1,10 @@
 // The neighbours of one point, its candidates taken a vector at a time: outwards from its azimuth on either side of its
 // own ring, then of the rings above and below, until the bounds close them all.
-#if defined(TILTH_SEARCH_LONE_SEARCH_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef TILTH_SEARCH_LONE_SEARCH_INL
-#undef TILTH_SEARCH_LONE_SEARCH_INL
+#if defined(TILTH_SEARCH_ISOLATED_SEARCH_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TILTH_SEARCH_ISOLATED_SEARCH_INL
+#undef TILTH_SEARCH_ISOLATED_SEARCH_INL
 #else
-#define TILTH_SEARCH_LONE_SEARCH_INL
+#define TILTH_SEARCH_ISOLATED_SEARCH_INL
 #endif
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 #include <tilth/search/chunk_boxes-inl.hpp>
 #include <tilth/search/direction_bound-inl.hpp>
-#include <tilth/search/lone_hits-inl.hpp>
+#include <tilth/search/isolated_hits-inl.hpp>
 #include <tilth/search/nearest_row.hpp>
 #include <tilth/search/plain_search-inl.hpp>
 #include <tilth/search/scan_kernel.hpp>
@@ -26,9 +26,9 @@ namespace tilth {
 namespace HWY_NAMESPACE {
 namespace {
 
-class LoneSearch {
+class IsolatedSearch {
  public:
-  LoneSearch(const RingLayout& layout, SearchBuffers& buffers, NeighborTable& table)
+  IsolatedSearch(const RingLayout& layout, SearchBuffers& buffers, NeighborTable& table)
       : l_(layout), table_(table), cursors_(buffers.cursors), boxes_(buffers.boxes) {
     cursors_.assign(layout.rings.size(), 0);
     boxes_.clear();
@@ -54,7 +54,7 @@ class LoneSearch {
   /// Finds and writes the row of the point in `slot` of a ring, whose k nearest others are within the squared distance
   /// `limit`.
   HWY_NOINLINE void search(std::uint32_t ring, std::uint32_t slot, float limit) {
-    const Lone p = lone_at(slot);
+    const Isolated p = isolated_at(slot);
     hits_.begin(table_.k, limit);
     if (wide(p)) approach(p, ring);
     if (!complete(p, ring)) return search_plainly(l_, slot, row(slot));
@@ -70,33 +70,33 @@ class LoneSearch {
   static constexpr std::uint32_t kReach = 12;  // points on either side that an approach looks at
   static constexpr std::uint32_t kLeast = 64;  // points of a ring that is worth it
 
-  struct Lone {
+  struct Isolated {
     Queries<One> query;
     Floats x, y, z;
     float azimuth;
   };
 
-  HWY_INLINE Lone lone_at(std::uint32_t slot) const {
+  HWY_INLINE Isolated isolated_at(std::uint32_t slot) const {
     const D d;
     return {Queries<One>(One(), l_, slot), hn::Set(d, l_.x[slot]), hn::Set(d, l_.y[slot]), hn::Set(d, l_.z[slot]),
             l_.azimuth[slot]};
   }
 
-  HWY_INLINE bool reaches(const Lone& p, const Elevation& low, const Elevation& high) {
+  HWY_INLINE bool reaches(const Isolated& p, const Elevation& low, const Elevation& high) {
     const auto off = off_elevation(One(), p.query, p.query.rho, low, high);
     return hn::GetLane(hn::Mul(off, off)) <= hits_.limit();
   }
 
   template <int kSide>
-  HWY_INLINE bool open(const Lone& p, std::uint32_t slot, const Ring& ring) {
+  HWY_INLINE bool open(const Isolated& p, std::uint32_t slot, const Ring& ring) {
     return hn::GetLane(side_bound<kSide>(One(), p.query, l_, slot, &ring)) <= hits_.limit();
   }
 
   // Whether what is within the limit lies in so many directions that bounds by direction are of no use.
-  HWY_INLINE bool wide(const Lone& p) const { return !(hits_.limit() <= kWide * hn::GetLane(p.query.rho_squared)); }
+  HWY_INLINE bool wide(const Isolated& p) const { return !(hits_.limit() <= kWide * hn::GetLane(p.query.rho_squared)); }
 
   // Lowers the limit by what lies around the point in its ring and in two above and below.
-  HWY_INLINE void approach(const Lone& p, std::uint32_t ring) {
+  HWY_INLINE void approach(const Isolated& p, std::uint32_t ring) {
     for (const std::uint32_t r : {ring, ring + 1, ring - 1, ring + 2, ring - 2}) {
       if (r >= l_.rings.size() || l_.rings[r].count < kLeast) continue;
       const std::uint32_t reach = r == ring ? 2 * kReach : kReach;
@@ -107,7 +107,7 @@ class LoneSearch {
   }
 
   // Takes all that is within the limit.
-  HWY_INLINE bool complete(const Lone& p, std::uint32_t ring) {
+  HWY_INLINE bool complete(const Isolated& p, std::uint32_t ring) {
     if (wide(p)) return search_boxes(p);
     const auto own = l_.rings.begin() + ring;
     if (!search_ring(p, *own)) return false;
@@ -120,7 +120,7 @@ class LoneSearch {
     return true;
   }
 
-  HWY_INLINE Floats squared_to(const Lone& p, std::uint32_t slot) const {
+  HWY_INLINE Floats squared_to(const Isolated& p, std::uint32_t slot) const {
     const D d;
     const Floats dx = hn::Sub(hn::LoadU(d, &l_.x[slot]), p.x), dy = hn::Sub(hn::LoadU(d, &l_.y[slot]), p.y);
     const Floats dz = hn::Sub(hn::LoadU(d, &l_.z[slot]), p.z);
@@ -128,7 +128,7 @@ class LoneSearch {
   }
 
   // Takes what is near of `count` points from `slot` on. False if too many are equally near.
-  HWY_INLINE bool visit(const Lone& p, std::uint32_t slot, std::uint32_t count) {
+  HWY_INLINE bool visit(const Isolated& p, std::uint32_t slot, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; i += kLanes) {
       if (!hits_.take(squared_to(p, slot + i), &l_.index[slot + i], hn::FirstN(D(), count - i))) return false;
     }
@@ -136,7 +136,7 @@ class LoneSearch {
   }
 
   // Groups of boxes that the limit reaches, then the boxes of these, then their points.
-  HWY_NOINLINE bool search_boxes(const Lone& p) {
+  HWY_NOINLINE bool search_boxes(const Isolated& p) {
     if (boxes_.empty()) fill_boxes(boxes_, l_);
     const D d;
     const std::size_t groups = (boxes_.slots.size() + kLanes - 1) / kLanes;
@@ -149,7 +149,7 @@ class LoneSearch {
     return true;
   }
 
-  HWY_INLINE bool visit_group(const Lone& p, std::size_t first) {
+  HWY_INLINE bool visit_group(const Isolated& p, std::size_t first) {
     const D d;
     const auto reached = hn::Le(box_distances(d, boxes_.runs, first, p), hn::Set(d, hits_.limit()));
     for (std::uint32_t bits = lane_bits(d, reached); bits != 0; bits &= bits - 1) {
@@ -160,7 +160,7 @@ class LoneSearch {
   }
 
   // Outwards from the point's azimuth on either side.
-  HWY_NOINLINE bool search_ring(const Lone& p, const Ring& ring) {
+  HWY_NOINLINE bool search_ring(const Isolated& p, const Ring& ring) {
     if (!reaches(p, ring.low, ring.high)) return true;
     const std::uint32_t n = ring.count, middle = locate(ring, p.azimuth) - ring.begin;
     std::uint32_t right = 0, left = 0;  // points seen on either side of the middle
@@ -188,7 +188,7 @@ class LoneSearch {
   NeighborTable& table_;
   std::vector<std::uint32_t>& cursors_;
   ChunkBoxes& boxes_;
-  LoneHits hits_;
+  IsolatedHits hits_;
 };
 
 }  // namespace

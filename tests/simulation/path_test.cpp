@@ -7,7 +7,7 @@
 
 #include <tilth/core/error.hpp>
 #include <tilth/simulation/mesh.hpp>
-#include <tilth/simulation/way.hpp>
+#include <tilth/simulation/path.hpp>
 
 namespace tilth {
 namespace {
@@ -21,8 +21,8 @@ double heading(const Pose& T) {
 }
 
 /// Twist [rad/s, m/s] in the world between the poses i and i + 1.
-Vector6d velocity(const Trajectory& way, std::size_t i) {
-  const Pose &a = way[i].T_world_lidar, &b = way[i + 1].T_world_lidar;
+Vector6d velocity(const Trajectory& path, std::size_t i) {
+  const Pose &a = path[i].T_world_lidar, &b = path[i + 1].T_world_lidar;
   Vector6d v;
   const Eigen::AngleAxisd turn(a.linear().transpose() * b.linear());
   v << turn.angle() * (a.linear() * turn.axis()), b.translation() - a.translation();
@@ -33,10 +33,10 @@ struct Motion {
   double fastest = 0, turn = 0, acceleration = 0, turn_acceleration = 0;
 };
 
-Motion motion_of(const Trajectory& way) {
+Motion motion_of(const Trajectory& path) {
   Motion most;
-  for (std::size_t i = 0; i + 2 < way.size(); ++i) {
-    const Vector6d v = velocity(way, i), a = kRate * (velocity(way, i + 1) - v);
+  for (std::size_t i = 0; i + 2 < path.size(); ++i) {
+    const Vector6d v = velocity(path, i), a = kRate * (velocity(path, i + 1) - v);
     most.fastest = std::max(most.fastest, v.tail<3>().norm());
     most.turn = std::max(most.turn, v.head<3>().norm());
     most.acceleration = std::max(most.acceleration, a.tail<3>().norm());
@@ -45,20 +45,20 @@ Motion motion_of(const Trajectory& way) {
   return most;
 }
 
-double distance_to(const Trajectory& way, const Vector3d& point) {
+double distance_to(const Trajectory& path, const Vector3d& point) {
   double nearest = 1e9;
-  for (const StampedPose& pose : way) nearest = std::min(nearest, (pose.T_world_lidar.translation() - point).norm());
+  for (const StampedPose& pose : path) nearest = std::min(nearest, (pose.T_world_lidar.translation() - point).norm());
   return nearest;
 }
 
-void expect_stamps_at_200_hz(const Trajectory& way) {
-  for (std::size_t i = 0; i < way.size(); ++i) ASSERT_NEAR(way[i].stamp, double(i) / kRate, 1e-12);
+void expect_stamps_at_200_hz(const Trajectory& path) {
+  for (std::size_t i = 0; i < path.size(); ++i) ASSERT_NEAR(path[i].stamp, double(i) / kRate, 1e-12);
 }
 
-WayOptions with_cruise(double cruise, double corner) {
-  WayOptions way;
-  way.cruise = cruise, way.corner = corner;
-  return way;
+PathOptions with_cruise(double cruise, double corner) {
+  PathOptions path;
+  path.cruise = cruise, path.corner = corner;
+  return path;
 }
 
 TEST(Waypoints, AreReadWithAndWithoutHeight) {
@@ -82,42 +82,42 @@ TEST(Waypoints, AreRefusedByName) {
 }
 
 TEST(DriveThrough, GoesStraightAtItsSpeedFromRestToRest) {
-  const Trajectory way = drive_through({{0, 0, 1}, {10, 0, 1}}, with_cruise(0.5, 0.8), {});
-  expect_stamps_at_200_hz(way);
-  EXPECT_EQ(way.front().T_world_lidar.translation(), Vector3d(0, 0, 1));
-  EXPECT_NEAR((way.back().T_world_lidar.translation() - Vector3d(10, 0, 1)).norm(), 0, 1e-9);
-  EXPECT_NEAR(velocity(way, 0).norm(), 0, 1e-3);
-  EXPECT_NEAR(velocity(way, way.size() / 2).norm(), 0.5, 1e-9);
-  EXPECT_NEAR(way.back().stamp, 10 / 0.5 + 1.6, 0.01);
-  EXPECT_LT(motion_of(way).acceleration, 0.7);
+  const Trajectory path = drive_through({{0, 0, 1}, {10, 0, 1}}, with_cruise(0.5, 0.8), {});
+  expect_stamps_at_200_hz(path);
+  EXPECT_EQ(path.front().T_world_lidar.translation(), Vector3d(0, 0, 1));
+  EXPECT_NEAR((path.back().T_world_lidar.translation() - Vector3d(10, 0, 1)).norm(), 0, 1e-9);
+  EXPECT_NEAR(velocity(path, 0).norm(), 0, 1e-3);
+  EXPECT_NEAR(velocity(path, path.size() / 2).norm(), 0.5, 1e-9);
+  EXPECT_NEAR(path.back().stamp, 10 / 0.5 + 1.6, 0.01);
+  EXPECT_LT(motion_of(path).acceleration, 0.7);
 }
 
 TEST(DriveThrough, RoundsCornersWithoutJumps) {
   const std::vector<Vector3d> points{{0, 0, 1}, {6, 0, 1}, {6, 5, 1}, {5.2, 5, 1.4}, {0, 1, 2}};
-  const Trajectory way = drive_through(points, with_cruise(1, 1), {});
-  const Motion most = motion_of(way);
+  const Trajectory path = drive_through(points, with_cruise(1, 1), {});
+  const Motion most = motion_of(path);
   EXPECT_LT(most.fastest, 1 + 1e-6);
   EXPECT_LT(most.acceleration, 4);        // a jump of the velocity would show as 200 m/s^2
   EXPECT_LT(most.turn_acceleration, 25);  // the sharpest corner has 0.4 m on either side
-  for (const Vector3d& point : points) EXPECT_LT(distance_to(way, point), 0.3);
-  EXPECT_LT(distance_to(way, {3, 0, 1}), 0.003);  // on the straight part of a leg the drive is on the line
-  EXPECT_LT(distance_to(way, {6, 2.5, 1}), 0.003);
-  EXPECT_NEAR((way.back().T_world_lidar.translation() - points.back()).norm(), 0, 1e-9);
-  EXPECT_NEAR(heading(way.back().T_world_lidar), std::atan2(-4, -5.2), 1e-9);
+  for (const Vector3d& point : points) EXPECT_LT(distance_to(path, point), 0.3);
+  EXPECT_LT(distance_to(path, {3, 0, 1}), 0.003);  // on the straight part of a leg the drive is on the line
+  EXPECT_LT(distance_to(path, {6, 2.5, 1}), 0.003);
+  EXPECT_NEAR((path.back().T_world_lidar.translation() - points.back()).norm(), 0, 1e-9);
+  EXPECT_NEAR(heading(path.back().T_world_lidar), std::atan2(-4, -5.2), 1e-9);
 }
 
 TEST(DriveThrough, TurnsRoundOnTheSpotWhereTheWayGoesBack) {
-  const Trajectory way = drive_through({{0, 0, 1}, {5, 0, 1}, {1, 0, 1}}, with_cruise(0.5, 0.8), {});
-  EXPECT_LT(motion_of(way).turn_acceleration, 20);
-  EXPECT_NEAR(std::abs(heading(way.back().T_world_lidar)), std::numbers::pi, 1e-9);
-  EXPECT_NEAR((way.back().T_world_lidar.translation() - Vector3d(1, 0, 1)).norm(), 0, 1e-9);
-  for (const StampedPose& pose : way) EXPECT_LT(pose.T_world_lidar.translation().x(), 5);
+  const Trajectory path = drive_through({{0, 0, 1}, {5, 0, 1}, {1, 0, 1}}, with_cruise(0.5, 0.8), {});
+  EXPECT_LT(motion_of(path).turn_acceleration, 20);
+  EXPECT_NEAR(std::abs(heading(path.back().T_world_lidar)), std::numbers::pi, 1e-9);
+  EXPECT_NEAR((path.back().T_world_lidar.translation() - Vector3d(1, 0, 1)).norm(), 0, 1e-9);
+  for (const StampedPose& pose : path) EXPECT_LT(pose.T_world_lidar.translation().x(), 5);
 }
 
 TEST(DriveThrough, TakesSpeedUpAndDownALongAShortWay) {
-  const Trajectory way = drive_through({{0, 0, 1}, {0.2, 0, 1}}, with_cruise(2, 0.8), {});
-  EXPECT_NEAR(way.back().T_world_lidar.translation().x(), 0.2, 1e-9);
-  EXPECT_LT(motion_of(way).fastest, 0.2);
+  const Trajectory path = drive_through({{0, 0, 1}, {0.2, 0, 1}}, with_cruise(2, 0.8), {});
+  EXPECT_NEAR(path.back().T_world_lidar.translation().x(), 0.2, 1e-9);
+  EXPECT_LT(motion_of(path).fastest, 0.2);
   MotionOptions twice;
   twice.speed_scale = 2;
   EXPECT_NEAR(motion_of(drive_through({{0, 0, 1}, {9, 0, 1}}, with_cruise(0.5, 1), twice)).fastest, 1, 1e-9);
@@ -139,11 +139,11 @@ Trajectory circle(double step) {
 }
 
 TEST(Follow, PassesEveryPoseAtItsTime) {
-  const Trajectory poses = circle(0.5), way = follow(poses, {});
-  expect_stamps_at_200_hz(way);
-  EXPECT_NEAR(way.back().stamp, poses.back().stamp - 100, 0.006);
+  const Trajectory poses = circle(0.5), path = follow(poses, {});
+  expect_stamps_at_200_hz(path);
+  EXPECT_NEAR(path.back().stamp, poses.back().stamp - 100, 0.006);
   for (const StampedPose& pose : poses) {
-    const Pose off = pose.T_world_lidar.inverse() * interpolate(way, pose.stamp - 100);
+    const Pose off = pose.T_world_lidar.inverse() * interpolate(path, pose.stamp - 100);
     EXPECT_LT(off.translation().norm(), 1e-6) << pose.stamp;
     EXPECT_LT(angle_of(off), 1e-6) << pose.stamp;
   }
@@ -172,21 +172,21 @@ TEST(Follow, ComesCloserToTheTrueMotionWithCloserPoses) {
 }
 
 TEST(Follow, KeepsARestAtRestAndTwoPosesStraight) {
-  const Trajectory way = follow({{0, upright({0, 0, 1}, 0)},
-                                 {2, upright({2, 0, 1}, 0)},
-                                 {4, upright({2, 0, 1}, 0)},
-                                 {6, upright({2, 2, 1}, 1.5)}},
-                                {});
+  const Trajectory path = follow({{0, upright({0, 0, 1}, 0)},
+                                  {2, upright({2, 0, 1}, 0)},
+                                  {4, upright({2, 0, 1}, 0)},
+                                  {6, upright({2, 2, 1}, 1.5)}},
+                                 {});
   for (double t = 2; t < 4; t += 0.1) {
-    EXPECT_LT((interpolate(way, t).translation() - Vector3d(2, 0, 1)).norm(), 1e-9) << t;
+    EXPECT_LT((interpolate(path, t).translation() - Vector3d(2, 0, 1)).norm(), 1e-9) << t;
   }
   const Trajectory line = follow({{5, upright({0, 0, 1}, 0)}, {7, upright({4, 0, 1}, 0)}}, {});
   EXPECT_NEAR(interpolate(line, 0.5).translation().x(), 1, 1e-9);
 }
 
 TEST(Follow, TurnsTheShorterWayWhateverTheSignOfTheQuaternion) {
-  const Trajectory way = follow({{0, upright({0, 0, 1}, 3.0)}, {1, upright({1, 0, 1}, -3.0)}}, {});
-  EXPECT_LT(motion_of(way).turn, 0.4);
+  const Trajectory path = follow({{0, upright({0, 0, 1}, 3.0)}, {1, upright({1, 0, 1}, -3.0)}}, {});
+  EXPECT_LT(motion_of(path).turn, 0.4);
 }
 
 TEST(Follow, RefusesStampsThatDoNotAscendAndTooFewPoses) {

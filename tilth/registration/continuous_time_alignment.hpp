@@ -8,11 +8,11 @@
 
 namespace tilth {
 
-struct MovingAlignment {
-  AlignResult pose;              ///< T_target_source is at `middle`
-  MotionInScan motion = {};      ///< about `middle`
-  TremorEvidence evidence = {};  ///< on the spread of tremors
-  /// [rad^2, m^2] of the pose at `middle` (right perturbation) if the surfaces were exact, with velocity and tremor
+struct ContinuousTimeAlignment {
+  AlignResult pose;                 ///< T_target_source is at `middle`
+  MotionInScan motion = {};         ///< about `middle`
+  VibrationEvidence evidence = {};  ///< on the spread of vibrations
+  /// [rad^2, m^2] of the pose at `middle` (right perturbation) if the surfaces were exact, with velocity and vibration
   /// unknown; of the prior, from the last pose on, where the pairs gave none
   Matrix6d covariance = Matrix6d::Zero();
   /// * x is the part of a motion x of the pose that the surfaces say nothing about: there the motion goes on as it was

@@ -9,10 +9,11 @@
 namespace tilth {
 namespace {
 
-TEST(AlignMoving, FindsPoseAndVelocityTogether) {
-  for (const double share : {0.0, 0.3, 1.0}) {
+TEST(ContinuousTimeRegistration, FindsPoseAndVelocityTogether) {
+  for (const double ratio : {0.0, 0.3, 1.0}) {
     const SurfacePatches patches = seen(room(), kTruth, kVelocity, 600);
-    const auto result = align_moving(patches, kMiddle, prior_of(kVelocity, share * kSurprise), room(), kOptions);
+    const auto result =
+        align_continuous_time(patches, kMiddle, prior_of(kVelocity, ratio * kSurprise), room(), kOptions);
     EXPECT_TRUE(result.pose.converged);
     EXPECT_EQ(result.pose.degenerate_directions, 0);
     EXPECT_EQ(result.pose.matches, patches.size());
@@ -21,31 +22,32 @@ TEST(AlignMoving, FindsPoseAndVelocityTogether) {
   }
 }
 
-TEST(AlignMoving, NeedsNoMotionPriorBesidesTheLastPose) {
+TEST(ContinuousTimeRegistration, NeedsNoMotionPriorBesidesTheLastPose) {
   MotionPrior prior{.T_map_last = kTruth * exp(-kVelocity * kPeriod), .interval = kPeriod};
-  const auto result = align_moving(seen(room(), kTruth, kVelocity, 600), kMiddle, prior, room(), kOptions);
+  const auto result = align_continuous_time(seen(room(), kTruth, kVelocity, 600), kMiddle, prior, room(), kOptions);
   EXPECT_TRUE(result.pose.converged);
   EXPECT_LT(pose_error(result), 2e-4);
   EXPECT_LT((result.motion.velocity - kVelocity).norm(), 5e-3);
 }
 
-TEST(AlignMoving, AThirdOfWrongPatchesIsOutvoted) {
+TEST(ContinuousTimeRegistration, AThirdOfWrongPatchesIsOutvoted) {
   SurfacePatches patches = seen(room(), kTruth, kVelocity, 900);
   std::mt19937 rng(8);
   std::uniform_real_distribution<double> off(0.2, 1.0);
   for (std::size_t i = 0; i < patches.size(); ++i) {
     if (i % 10 < 3) patches[i].mean += off(rng) * patches[i].normal;  // people before the walls
   }
-  const auto result = align_moving(patches, kMiddle, prior_of(kVelocity, 0.3 * kSurprise), room(), kOptions);
+  const auto result = align_continuous_time(patches, kMiddle, prior_of(kVelocity, 0.3 * kSurprise), room(), kOptions);
   EXPECT_TRUE(result.pose.converged);
   EXPECT_LT(pose_error(result), 5e-3);
   EXPECT_LT((result.motion.velocity - kVelocity).norm(), 0.05);
-  AlignMovingOptions trusting = kOptions;
+  ContinuousTimeOptions trusting = kOptions;
   trusting.first_kernel_width = trusting.kernel_width = 1e6;
-  EXPECT_GT(pose_error(align_moving(patches, kMiddle, prior_of(kVelocity, 0.3 * kSurprise), room(), trusting)), 0.02);
+  EXPECT_GT(pose_error(align_continuous_time(patches, kMiddle, prior_of(kVelocity, 0.3 * kSurprise), room(), trusting)),
+            0.02);
 }
 
-TEST(AlignMoving, TooFewPairsKeepThePrediction) {
+TEST(ContinuousTimeRegistration, TooFewPairsKeepThePrediction) {
   const MotionPrior prior = prior_of(kVelocity, kSurprise);
   const Pose T_predicted = prior.T_map_last * exp(prior.velocity * prior.interval);
   SurfacePatches facing_nothing = seen(room(), kTruth, kVelocity, 100);
@@ -56,7 +58,7 @@ TEST(AlignMoving, TooFewPairsKeepThePrediction) {
                                                     {facing_nothing, room()},
                                                     {{}, room()}};
   for (const auto& [patches, place] : cases) {
-    const auto result = align_moving(patches, kMiddle, prior, place, kOptions);
+    const auto result = align_continuous_time(patches, kMiddle, prior, place, kOptions);
     EXPECT_FALSE(result.pose.converged);
     EXPECT_LT(result.pose.matches, 20u);
     EXPECT_LT(log(T_predicted.inverse() * result.pose.T_target_source).norm(), 1e-9);
@@ -65,7 +67,7 @@ TEST(AlignMoving, TooFewPairsKeepThePrediction) {
   }
 }
 
-TEST(AlignMoving, AlongABareTunnelItGoesAsExpectedAndSaysSo) {
+TEST(ContinuousTimeRegistration, AlongABareTunnelItGoesAsExpectedAndSaysSo) {
   const Pose T_map_middle = exp((Vector6d() << 0, 0, 0, 2, 0.3, -0.2).finished());
   const Vector6d velocity = (Vector6d() << 0, 0, 0, 1.5, 0, 0).finished();
   const SurfacePatches patches = seen(tunnel(), T_map_middle, velocity, 600);
@@ -79,7 +81,7 @@ TEST(AlignMoving, AlongABareTunnelItGoesAsExpectedAndSaysSo) {
     prior.velocity[4] += 0.2;  // across it can
     prior.last_motion[3] += 0.2;
     prior.steady_velocity = prior.velocity;
-    const auto result = align_moving(patches, kMiddle, prior, tunnel(), kOptions);
+    const auto result = align_continuous_time(patches, kMiddle, prior, tunnel(), kOptions);
     const Eigen::Vector3d p = result.pose.T_target_source.translation();
     EXPECT_EQ(result.pose.degenerate_directions, 1);
     EXPECT_NEAR(p.x(), 2.02, 1e-3) << known;
@@ -90,10 +92,10 @@ TEST(AlignMoving, AlongABareTunnelItGoesAsExpectedAndSaysSo) {
   }
 }
 
-TEST(AlignMoving, WorksWithoutTimes) {
+TEST(ContinuousTimeRegistration, WorksWithoutTimes) {
   SurfacePatches patches = seen(room(), kTruth, Vector6d::Zero(), 600);
   for (SurfacePatch& patch : patches) patch.time = 0;
-  const auto result = align_moving(patches, 0.0, prior_of(kVelocity, kSurprise), room(), kOptions);
+  const auto result = align_continuous_time(patches, 0.0, prior_of(kVelocity, kSurprise), room(), kOptions);
   EXPECT_TRUE(result.pose.converged);
   EXPECT_LT(pose_error(result), 2e-4);
   EXPECT_LT((result.motion.velocity - kVelocity).norm(), 5e-3);  // that of the motion since the last pose
@@ -121,8 +123,8 @@ double half_square(const SeenPair& pair, const MotionState& state, const Vector1
 }
 
 // Where the pairs alone speak, a step is -H^-1 g: g the gradient of the robust cost, H = J^T W J, both by differences.
-TEST(AlignMoving, AStepIsGaussNewtonsOnTheRobustCost) {
-  AlignMovingOptions free = kOptions;
+TEST(ContinuousTimeRegistration, AStepIsGaussNewtonsOnTheRobustCost) {
+  ContinuousTimeOptions free = kOptions;
   free.velocity_slack = 1e9;  // the prior says nothing
   const double width = 3;
   const MotionState state{kTruth, {}, kMiddle};  // the derivative by the velocity is exact at rest
@@ -167,8 +169,8 @@ TEST(AlignMoving, AStepIsGaussNewtonsOnTheRobustCost) {
 
   MotionState after = state;
   after.kernel_width = width;
-  MovingAlignment result;
-  ASSERT_TRUE(step_moving(pairs, {{.T_map_last = kTruth, .interval = kPeriod}}, free, after, result));
+  ContinuousTimeAlignment result;
+  ASSERT_TRUE(gauss_newton_step(pairs, {{.T_map_last = kTruth, .interval = kPeriod}}, free, after, result));
   Vector12d step;
   step << log(kTruth.inverse() * after.T_map_lidar), after.motion.velocity;
   EXPECT_LT((step - expected).norm(), 1e-4 * expected.norm());

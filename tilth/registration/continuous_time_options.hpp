@@ -2,19 +2,19 @@
 #pragma once
 
 #include <tilth/core/options.hpp>
-#include <tilth/registration/tremor_options.hpp>
+#include <tilth/registration/vibration_options.hpp>
 
 namespace tilth {
 
-struct AlignMovingOptions {
+struct ContinuousTimeOptions {
   int max_iterations = 60;
   double rotation_epsilon = 1e-5;
   double translation_epsilon = 1e-4;
   double max_distance = 2.0;
   double renew_distance = 0.02;
   double min_cosine = 0.8;
-  double spread_share = 0.1;
-  double surface_share = 0.3;
+  double spread_ratio = 0.1;
+  double surface_ratio = 0.3;
   double surface_doubt = 10.0;
   double patch_variance = 7e-5;
   double first_kernel_width = 10.0;
@@ -23,24 +23,24 @@ struct AlignMovingOptions {
   double angular_acceleration = 20.0;
   bool bend = true;
   double velocity_slack = 0.01;
-  double velocity_share = 0.12;
-  TremorOptions tremor = {};
+  double velocity_ratio = 0.12;
+  VibrationOptions vibration = {};
   double degeneracy_ratio = 2e-3;
   double steady_acceleration = 1.0;
   int min_matches = 20;
 };
 
 template <class V>
-void visit(AlignMovingOptions& o, V&& v) {
+void visit(ContinuousTimeOptions& o, V&& v) {
   v("max_iterations", o.max_iterations, Bounds{1, 10000}, "[-] associations at most");
   v("rotation_epsilon", o.rotation_epsilon, Bounds{0, 1}, "[rad] stop when a step is smaller");
   v("translation_epsilon", o.translation_epsilon, Bounds{0, 1}, "[m] stop when a step is smaller");
   v("max_distance", o.max_distance, Bounds{1e-3, 100}, "[m] between a patch and its match");
   v("renew_distance", o.renew_distance, Bounds{0, 10}, "[m] that a patch moves before its match is looked up anew");
   v("min_cosine", o.min_cosine, Bounds{-1, 1}, "[-] between the normals of a patch and its match");
-  v("spread_share", o.spread_share, Bounds{0, 1},
+  v("spread_ratio", o.spread_ratio, Bounds{0, 1},
     "[-] of a patch's spread along the normal of its surface, added to the variance of its mean");
-  v("surface_share", o.surface_share, Bounds{0, 1}, "[-] of a surface's variance in that of every pair");
+  v("surface_ratio", o.surface_ratio, Bounds{0, 1}, "[-] of a surface's variance in that of every pair");
   v("surface_doubt", o.surface_doubt, Bounds{0, 1e6},
     "[-] the same, divided by the patches that the surface is made of");
   v("patch_variance", o.patch_variance, Bounds{1e-12, 1}, "[m^2] added to the variance of every pair");
@@ -52,9 +52,9 @@ void visit(AlignMovingOptions& o, V&& v) {
   v("bend", o.bend, "[-] constant acceleration in a scan; false: constant velocity, that of the motion since the last");
   v("velocity_slack", o.velocity_slack, Bounds{1e-6, 1e6},
     "[m/s^2, rad/s^2] by which the acceleration in a scan may differ from the one before it");
-  v("velocity_share", o.velocity_share, Bounds{0, 10},
+  v("velocity_ratio", o.velocity_ratio, Bounds{0, 10},
     "[-] the same as a share of the acceleration's change, in addition");
-  v("tremor", o.tremor, "[-] deviations from constant acceleration within a scan");
+  v("vibration", o.vibration, "[-] deviations from constant acceleration within a scan");
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
     "[-] a direction with less information than this share of the best one is degenerate: there the motion goes "
     "on as it was in the last second, and partly so up to 1.5 times the share");

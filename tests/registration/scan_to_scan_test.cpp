@@ -1,7 +1,7 @@
-// Sweep to sweep on a made world: level ground and upright poles, seen by a sensor that moves during the sweep.
+// Scan to scan on a made world: level ground and upright poles, seen by a sensor that moves during the scan.
 #include <gtest/gtest.h>
 
-#include <tilth/registration/align_sweep.hpp>
+#include <tilth/registration/scan_to_scan.hpp>
 
 namespace tilth {
 namespace {
@@ -36,13 +36,13 @@ PointCloud poles(double rise, double lift) {
   return cloud;
 }
 
-// The points, given at the start of a sweep, as a sensor sees them that moves by T_start_end meanwhile.
+// The points, given at the start of a scan, as a sensor sees them that moves by T_start_end meanwhile.
 PointCloud measured(PointCloud cloud, const Pose& T_start_end) {
   const Vector6d motion = log(T_start_end);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const double share = double((37 * i) % 101) / 100;
-    cloud.points[i] = exp(share * motion).inverse() * cloud.points[i];
-    cloud.times.push_back(float(share * kPeriod));
+    const double ratio = double((37 * i) % 101) / 100;
+    cloud.points[i] = exp(ratio * motion).inverse() * cloud.points[i];
+    cloud.times.push_back(float(ratio * kPeriod));
   }
   return cloud;
 }
@@ -53,25 +53,25 @@ Pose motion(double roll, double pitch, double yaw, double x, double y, double z)
 }
 
 struct World {
-  SweepTargets targets{SweepTarget(poles(0.1, -0.8)), SweepTarget(ground(1.0))};
+  ScanTargets targets{ScanTarget(poles(0.1, -0.8)), ScanTarget(ground(1.0))};
 
-  AlignResult align_to(const Pose& T_true, const AlignSweepOptions& options,
+  AlignResult align_to(const Pose& T_true, const ScanToScanOptions& options,
                        const Pose& T_init = Pose::Identity()) const {
     const PointCloud edges = measured(poles(0.1, -0.77), T_true), planes = measured(ground(7.3), T_true);
-    return align_sweep({edges, planes, kPeriod}, targets, T_init, options);
+    return align_scan_to_scan({edges, planes, kPeriod}, targets, T_init, options);
   }
 };
 
-AlignSweepOptions whole_steps() {
-  AlignSweepOptions options;
-  options.ground_step.step_share = options.edge_step.step_share = 1;
+ScanToScanOptions whole_steps() {
+  ScanToScanOptions options;
+  options.ground_step.step_ratio = options.edge_step.step_ratio = 1;
   return options;
 }
 
 const Pose kMotion = motion(0.008, -0.006, 0.04, 0.12, -0.04, 0.015);
 constexpr int kNever = 1000000000;
 
-TEST(AlignSweep, RecoversTheMotionDuringTheSweep) {
+TEST(ScanToScan, RecoversTheMotionDuringTheScan) {
   const AlignResult result = World().align_to(kMotion, whole_steps());
   EXPECT_TRUE(result.converged);
   EXPECT_LT(log(result.T_target_source.inverse() * kMotion).norm(), 2e-3);
@@ -80,16 +80,16 @@ TEST(AlignSweep, RecoversTheMotionDuringTheSweep) {
   EXPECT_GT(result.information.diagonal().minCoeff(), 10);
 }
 
-TEST(AlignSweep, TakesRollPitchAndZFromTheGroundAlone) {
-  AlignSweepOptions options = whole_steps();
+TEST(ScanToScan, TakesRollPitchAndZFromTheGroundAlone) {
+  ScanToScanOptions options = whole_steps();
   options.edge_step.min_matches = kNever;
   const Vector6d found = log(World().align_to(kMotion, options).T_target_source), truth = log(kMotion);
   for (const int i : {0, 1, 5}) EXPECT_NEAR(found[i], truth[i], 1e-3) << i;
   for (const int i : {2, 3, 4}) EXPECT_NEAR(found[i], 0, 1e-4) << i;  // but for the order of rotations
 }
 
-TEST(AlignSweep, TakesYawXAndYFromEdgesAlone) {
-  AlignSweepOptions options = whole_steps();
+TEST(ScanToScan, TakesYawXAndYFromEdgesAlone) {
+  ScanToScanOptions options = whole_steps();
   options.ground_step.min_matches = kNever;
   const Vector6d found = log(World().align_to(kMotion, options).T_target_source), truth = log(kMotion);
   for (const int i : {2, 3, 4}) EXPECT_NEAR(found[i], truth[i], 4e-3) << i;
@@ -97,8 +97,8 @@ TEST(AlignSweep, TakesYawXAndYFromEdgesAlone) {
 }
 
 // The step of the original: 25 of 5 % close 72 % of an error, and none is taken after a true step below 2 cm.
-TEST(AlignSweep, StopsFarFromTheOptimumAsTheOriginal) {
-  AlignSweepOptions options;
+TEST(ScanToScan, StopsFarFromTheOptimumAsTheOriginal) {
+  ScanToScanOptions options;
   const auto z_found = [&](double z) {
     return World().align_to(motion(0, 0, 0, 0, 0, z), options).T_target_source.translation().z();
   };
@@ -108,7 +108,7 @@ TEST(AlignSweep, StopsFarFromTheOptimumAsTheOriginal) {
 }
 
 // Rails along x say nothing of x: it stays as it was predicted.
-TEST(AlignSweep, HoldsWhatEdgesDoNotDetermine) {
+TEST(ScanToScan, HoldsWhatEdgesDoNotDetermine) {
   const auto rails = [](double shift) {
     PointCloud cloud;
     for (int row = 0; row < 4; ++row) {
@@ -116,22 +116,22 @@ TEST(AlignSweep, HoldsWhatEdgesDoNotDetermine) {
     }
     return cloud;
   };
-  const SweepTargets targets{SweepTarget(rails(0)), SweepTarget(ground(1.0))};
+  const ScanTargets targets{ScanTarget(rails(0)), ScanTarget(ground(1.0))};
   const Pose T_true = motion(0, 0, 0, 0.2, 0.05, 0), T_init = motion(0, 0, 0, 0.11, 0, 0);
   const PointCloud edges = measured(rails(0.01), T_true), planes = measured(ground(7.3), T_true);
-  const AlignResult result = align_sweep({edges, planes, kPeriod}, targets, T_init, whole_steps());
+  const AlignResult result = align_scan_to_scan({edges, planes, kPeriod}, targets, T_init, whole_steps());
   EXPECT_NEAR(result.T_target_source.translation().x(), 0.11, 1e-3);
   EXPECT_NEAR(result.T_target_source.translation().y(), 0.05, 5e-3);
 }
 
-TEST(AlignSweep, KeepsThePredictionWithoutTenEdgesAndAHundredPlanes) {
+TEST(ScanToScan, KeepsThePredictionWithoutTenEdgesAndAHundredPlanes) {
   const auto first = [](const PointCloud& cloud, std::uint32_t n) {
     std::vector<std::uint32_t> indices(n);
     for (std::uint32_t i = 0; i < n; ++i) indices[i] = i;
     return select(cloud, indices);
   };
   const auto result_with = [&](std::uint32_t edges, std::uint32_t planes) {
-    const World world{{SweepTarget(first(poles(0.1, 0), edges)), SweepTarget(first(ground(1.0), planes))}};
+    const World world{{ScanTarget(first(poles(0.1, 0), edges)), ScanTarget(first(ground(1.0), planes))}};
     return world.align_to(kMotion, {}, motion(0, 0, 0.01, 0, 0, 0));
   };
   EXPECT_TRUE(result_with(9, 2000).T_target_source.isApprox(motion(0, 0, 0.01, 0, 0, 0)));

@@ -18,38 +18,38 @@ Plot over_time(std::string id, std::string title, Axis y, std::vector<Curve> cur
 }
 
 /// The positions of the poses with these numbers, from above.
-Curve places_of(const Trajectory& way, const std::vector<std::size_t>& numbers, const std::string& name) {
+Curve places_of(const Trajectory& path, const std::vector<std::size_t>& numbers, const std::string& name) {
   Curve places{name, {}, {}, {}};
   for (const std::size_t i : numbers) {
-    places.x.push_back(float(way[i].T_world_lidar.translation().x()));
-    places.y.push_back(float(way[i].T_world_lidar.translation().y()));
+    places.x.push_back(float(path[i].T_world_lidar.translation().x()));
+    places.y.push_back(float(path[i].T_world_lidar.translation().y()));
   }
   return places;
 }
 
-void add_loops(const Trajectory& way, const LoopRecord& loops, Plot& top) {
-  top.dots = places_of(way, loops.keyframe_scans, "keyframes");
+void add_loops(const Trajectory& path, const LoopRecord& loops, Plot& top) {
+  top.dots = places_of(path, loops.keyframe_scans, "keyframes");
   std::vector<std::size_t> ends;
   for (const auto& [from, to] : accepted_scans(loops)) ends.insert(ends.end(), {from, to});
-  top.links = places_of(way, ends, "loop closures");
+  top.links = places_of(path, ends, "loop closures");
 }
 
 }  // namespace
 
-Section way_section(const RunRecord& record, const std::optional<JudgedRun>& judged) {
+Section path_section(const RunRecord& record, const std::optional<JudgedRun>& judged) {
   const double start = record.trajectory.empty() ? 0.0 : record.trajectory.front().stamp;
-  std::vector<std::pair<std::string, const Trajectory*>> ways{{record.pipeline, &record.trajectory}};
-  if (record.loops) ways.emplace_back(kBeforeLoops, &record.loops->odometry);
-  if (judged) ways.emplace_back("truth", &judged->truth_in_world);
+  std::vector<std::pair<std::string, const Trajectory*>> paths{{record.pipeline, &record.trajectory}};
+  if (record.loops) paths.emplace_back(kBeforeLoops, &record.loops->odometry);
+  if (judged) paths.emplace_back("truth", &judged->truth_in_world);
   std::vector<Curve> above, roll, pitch, yaw, speed, height;
-  for (const auto& [name, way] : ways) {
-    above.push_back(way_curve(*way, name));
-    AngleCurves angles = angle_curves(*way, start, name);
+  for (const auto& [name, path] : paths) {
+    above.push_back(path_curve(*path, name));
+    AngleCurves angles = angle_curves(*path, start, name);
     roll.push_back(std::move(angles.roll));
     pitch.push_back(std::move(angles.pitch));
     yaw.push_back(std::move(angles.yaw));
-    speed.push_back(speed_curve(*way, start, name));
-    height.push_back(height_curve(*way, start, name));
+    speed.push_back(speed_curve(*path, start, name));
+    height.push_back(height_curve(*path, start, name));
   }
   for (std::vector<Curve>* curves : {&above, &roll, &pitch, &yaw, &speed, &height}) {
     if (judged) curves->back().truth = true;

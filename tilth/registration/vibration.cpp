@@ -4,18 +4,18 @@
 
 #include <Eigen/LU>
 
-#include <tilth/registration/tremor.hpp>
+#include <tilth/registration/vibration.hpp>
 
 namespace tilth {
 namespace {
 
-constexpr int kIntervals = ScanTremor::kIntervals;
+constexpr int kIntervals = ScanVibration::kIntervals;
 
 constexpr int place_of(int knot) {
   return 12 + 6 * knot;
 }
 
-// The tremor at a lever l within a part of the scan is A + l B, of [A; B] = M [first knot; second knot].
+// The vibration at a lever l within a part of the scan is A + l B, of [A; B] = M [first knot; second knot].
 Matrix12d line_through(double begin, double end) {
   const double width = end - begin;
   const Matrix6d I = Matrix6d::Identity();
@@ -36,7 +36,7 @@ double sinc(double x) {
 
 }  // namespace
 
-TremorSpread seen_spread(const TremorEvidence& evidence, const TremorOptions& options) {
+VibrationSigma observed_sigma(const VibrationEvidence& evidence, const VibrationOptions& options) {
   constexpr double kDoubt = 20;  // deviations that speak for the least spread
   const auto spread = [&](int i, double least) {
     return std::sqrt((evidence.squares[i] + kDoubt * least * least) / (evidence.freedom[i] + kDoubt));
@@ -44,23 +44,23 @@ TremorSpread seen_spread(const TremorEvidence& evidence, const TremorOptions& op
   return {spread(0, options.least_rotation), spread(1, options.least_rotation), spread(2, options.least_translation)};
 }
 
-TremorSpread tremor_spread(const TremorEvidence& evidence, const TremorOptions& options) {
+VibrationSigma vibration_sigma(const VibrationEvidence& evidence, const VibrationOptions& options) {
   const auto within = [](double least, double seen, double most) { return std::min(std::max(seen, least), most); };
-  const TremorSpread seen = seen_spread(evidence, options);
+  const VibrationSigma seen = observed_sigma(evidence, options);
   const double tilt = within(options.least_rotation, seen.tilt, options.tilt);
-  return {tilt, within(options.least_rotation, seen.yaw, options.yaw + options.yaw_share * tilt),
+  return {tilt, within(options.least_rotation, seen.yaw, options.yaw + options.yaw_ratio * tilt),
           within(options.least_translation, seen.translation,
                  std::min(options.translation, options.least_translation + options.lever * tilt))};
 }
 
-TremorEvidence first_evidence(const TremorOptions& options) {
+VibrationEvidence first_evidence(const VibrationOptions& options) {
   constexpr double kDeviations = 8;
   const Eigen::Array3d first(options.first_tilt, options.first_tilt, options.first_translation);
   return {kDeviations * first.square().matrix(), Eigen::Vector3d::Constant(kDeviations)};
 }
 
 // The correlation of noise of a flat spectrum between two frequencies.
-KnotMatrix knot_precision(double duration, const TremorOptions& options) {
+KnotMatrix knot_precision(double duration, const VibrationOptions& options) {
   constexpr double kRest = 0.01;  // of the variance: beside the band
   const double width = options.highest - options.lowest;
   const double middle = 0.5 * (options.highest + options.lowest);
@@ -75,49 +75,49 @@ KnotMatrix knot_precision(double duration, const TremorOptions& options) {
 }
 
 // With x ~ N(0, s^2), and (1 - a) mean + a x ~ N(0, k^2 s^2 a / 2), where a share k of chance's mean is left.
-TremorPrior tremor_prior(const TremorSpread& spread, const ScanTremor& mean, const TremblingScan& scan,
-                         const TremorOptions& options) {
-  const double pull = 2 / (options.mean * options.mean), narrowing = 1 + pull * scan.share;
-  TremorPrior prior;
+VibrationPrior vibration_prior(const VibrationSigma& spread, const ScanVibration& mean, const VibratingScan& scan,
+                               const VibrationOptions& options) {
+  const double pull = 2 / (options.mean * options.mean), narrowing = 1 + pull * scan.ratio;
+  VibrationPrior prior;
   prior.precision = scan.precision;
-  prior.spread_variances = spread.variances() / scan.scale;
-  prior.variances = prior.spread_variances / narrowing;
+  prior.sigma_variances = spread.variances() / scan.scale;
+  prior.variances = prior.sigma_variances / narrowing;
   for (std::size_t i = 0; i < mean.knots.size(); ++i)
-    prior.means.knots[i] = -pull * (1 - scan.share) / narrowing * mean.knots[i];
+    prior.means.knots[i] = -pull * (1 - scan.ratio) / narrowing * mean.knots[i];
   return prior;
 }
 
-double share_of_mean(double interval) {
+double mean_gain(double interval) {
   constexpr double kMemory = 3.0;  // [s]
   return 1 - std::exp(-interval / kMemory);
 }
 
-TremorEvidence faded_sum(const TremorEvidence& old, const TremorEvidence& fresh, double interval) {
+VibrationEvidence faded_sum(const VibrationEvidence& old, const VibrationEvidence& fresh, double interval) {
   constexpr double kMemory = 2.0;  // [s]
   const double left = std::exp(-interval / kMemory);
   return {left * old.squares + fresh.squares, left * old.freedom + fresh.freedom};
 }
 
-ScanTremor mean_with(const ScanTremor& mean, const ScanTremor& tremor, double share) {
-  ScanTremor next = mean;
-  for (std::size_t i = 0; i < next.knots.size(); ++i) next.knots[i] += share * (tremor.knots[i] - mean.knots[i]);
+ScanVibration mean_with(const ScanVibration& mean, const ScanVibration& vibration, double ratio) {
+  ScanVibration next = mean;
+  for (std::size_t i = 0; i < next.knots.size(); ++i) next.knots[i] += ratio * (vibration.knots[i] - mean.knots[i]);
   return next;
 }
 
-ScanTremor without(const ScanTremor& tremor, const ScanTremor& mean) {
-  ScanTremor rest = tremor;
+ScanVibration without(const ScanVibration& vibration, const ScanVibration& mean) {
+  ScanVibration rest = vibration;
   for (std::size_t i = 0; i < rest.knots.size(); ++i) rest.knots[i] -= mean.knots[i];
   return rest;
 }
 
-TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& smooth, const TremorPrior& prior,
-                                 const MotionState& state) {
-  TremblingSystem system;
+VibrationSystem vibration_system(const SegmentSystems& parts, const ContinuousTimeSystem& smooth,
+                                 const VibrationPrior& prior, const MotionState& state) {
+  VibrationSystem system;
   system.H.topLeftCorner<12, 12>() = smooth.H;
   system.b.head<12>() = smooth.b;
   const double width = 2 * state.middle / kIntervals;
   for (int i = 0; i < kIntervals; ++i) {
-    const MovingSystem& part = parts[std::size_t(i)];
+    const ContinuousTimeSystem& part = parts[std::size_t(i)];
     const Matrix12d M = line_through(i * width - state.middle, (i + 1) * width - state.middle), HM = part.H * M;
     const int at = place_of(i);
     system.H.block<12, 12>(at, at) += M.transpose() * HM;
@@ -131,23 +131,24 @@ TremblingSystem trembling_system(const MovingParts& parts, const MovingSystem& s
       const auto k = std::size_t(j);
       const Vector6d joint = prior.precision(i, j) * weights;
       system.H.block<6, 6>(place_of(i), place_of(j)).diagonal() += joint;
-      system.b.segment<6>(place_of(i)) += joint.cwiseProduct(state.motion.tremor.knots[k] - prior.means.knots[k]);
+      system.b.segment<6>(place_of(i)) += joint.cwiseProduct(state.motion.vibration.knots[k] - prior.means.knots[k]);
     }
   }
   return system;
 }
 
-bool step_trembling(const TremblingSystem& system, const TremblingFactor& factor, Vector12d& step, ScanTremor& tremor) {
-  const TremblingSystem::Vector change = factor.solve(-system.b);
+bool step_with_vibration(const VibrationSystem& system, const VibrationFactor& factor, Vector12d& step,
+                         ScanVibration& vibration) {
+  const VibrationSystem::Vector change = factor.solve(-system.b);
   if (factor.info() != Eigen::Success || !change.allFinite()) return false;
   step = change.head<12>();
-  for (int i = 0; i <= kIntervals; ++i) tremor.knots[std::size_t(i)] += change.segment<6>(place_of(i));
+  for (int i = 0; i <= kIntervals; ++i) vibration.knots[std::size_t(i)] += change.segment<6>(place_of(i));
   return true;
 }
 
-Matrix6d covariance_in_middle(const TremblingFactor& factor) {
+Matrix6d covariance_in_middle(const VibrationFactor& factor) {
   static_assert(kIntervals % 2 == 0, "a knot lies in the middle");
-  Eigen::Matrix<double, TremblingSystem::kSize, 6> pick = Eigen::Matrix<double, TremblingSystem::kSize, 6>::Zero();
+  Eigen::Matrix<double, VibrationSystem::kSize, 6> pick = Eigen::Matrix<double, VibrationSystem::kSize, 6>::Zero();
   pick.topRows<6>().setIdentity();
   pick.middleRows<6>(place_of(kIntervals / 2)).setIdentity();
   const auto half = factor.matrixL().solve(pick).eval();
@@ -155,15 +156,16 @@ Matrix6d covariance_in_middle(const TremblingFactor& factor) {
 }
 
 // After MacKay: a coordinate of precision P shows x^T P x of squares, and n - tr(P C) of freedom with C its covariance.
-TremorEvidence evidence_of(const TremblingFactor& factor, const TremorPrior& prior, const ScanTremor& tremor) {
-  const TremblingSystem::Matrix root = factor.matrixL().solve(TremblingSystem::Matrix::Identity());
+VibrationEvidence evidence_of(const VibrationFactor& factor, const VibrationPrior& prior,
+                              const ScanVibration& vibration) {
+  const VibrationSystem::Matrix root = factor.matrixL().solve(VibrationSystem::Matrix::Identity());
   Vector6d squares = Vector6d::Zero(), unknown = Vector6d::Zero();
   for (int i = 0; i <= kIntervals; ++i) {
     for (int j = 0; j <= kIntervals; ++j) {
       const Vector6d covariance =  // C = L^-T L^-1
           root.middleCols<6>(place_of(i)).cwiseProduct(root.middleCols<6>(place_of(j))).colwise().sum().transpose();
-      squares += prior.precision(i, j) * tremor.knots[std::size_t(i)].cwiseProduct(tremor.knots[std::size_t(j)]);
-      unknown += prior.precision(i, j) * covariance.cwiseQuotient(prior.spread_variances);
+      squares += prior.precision(i, j) * vibration.knots[std::size_t(i)].cwiseProduct(vibration.knots[std::size_t(j)]);
+      unknown += prior.precision(i, j) * covariance.cwiseQuotient(prior.sigma_variances);
     }
   }
   return {by_kind(squares), by_kind(Vector6d::Constant(kIntervals + 1) - unknown)};

@@ -11,7 +11,7 @@
 
 namespace tilth {
 
-struct WayOptions {
+struct PathOptions {
   std::string path;        ///< TUM file of poses with times; empty: none
   std::string waypoints;   ///< "x,y[,z];x,y[,z];..."; empty: none
   double cruise = 0.5;     ///< [m/s] through way-points
@@ -20,7 +20,7 @@ struct WayOptions {
 };
 
 template <class V>
-void visit(WayOptions& o, V&& v) {
+void visit(PathOptions& o, V&& v) {
   v("path", o.path, "[-] TUM file of the sensor's poses with their times, instead of the scene's own way");
   v("waypoints", o.waypoints, "[m] x,y[,z];x,y[,z];... to drive through, instead of the scene's own way; no z: height");
   v("cruise", o.cruise, Bounds{0.01, 50}, "[m/s] of the drive through way-points");
@@ -35,7 +35,7 @@ std::vector<Eigen::Vector3d> parse_waypoints(std::string_view text, double heigh
 /// A drive from rest to rest through the way-points, level, its heading that of the way. Corners are cut: the drive
 /// leaves the straight way `corner` before a way-point and is back on it as far behind, or half a leg where that is
 /// shorter. Throws Error where two way-points that follow one another are the same.
-Trajectory drive_through(const std::vector<Eigen::Vector3d>& waypoints, const WayOptions& way,
+Trajectory drive_through(const std::vector<Eigen::Vector3d>& waypoints, const PathOptions& path,
                          const MotionOptions& motion);
 
 /// Through every pose at its time, counted from the first one's, with continuous velocity and turn rate (cubic Hermite

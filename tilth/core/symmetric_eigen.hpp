@@ -7,14 +7,14 @@
 namespace tilth {
 
 /// Steps towards the least eigenvalue, at most, and the share of it below which a step is the last one.
-inline constexpr int kMostSpreadSteps = 40;
-inline constexpr double kStillSpread = 1e-9;
+inline constexpr int kMostEigenvalueSteps = 40;
+inline constexpr double kEigenvalueTolerance = 1e-9;
 
 /// The eigenvalues of a covariance [m^2], ascending.
-Eigen::Vector3d spreads(const Eigen::Matrix3d& covariance);
+Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& covariance);
 
-/// The unit eigenvector of `covariance` to its eigenvalue `least`; any one where it spreads alike in several
+/// The unit eigenvector of `covariance` to its eigenvalue `least`; any one where it eigenvalues alike in several
 /// directions.
-Eigen::Vector3d direction_of_least(const Eigen::Matrix3d& covariance, double least);
+Eigen::Vector3d smallest_eigenvector(const Eigen::Matrix3d& covariance, double least);
 
 }  // namespace tilth

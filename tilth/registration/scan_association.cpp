@@ -3,13 +3,13 @@
 
 #include <tilth/core/error.hpp>
 #include <tilth/registration/line_plane_association.hpp>
-#include <tilth/registration/sweep_association.hpp>
+#include <tilth/registration/scan_association.hpp>
 
 namespace tilth {
 namespace {
 
-constexpr auto kNone = SweepTarget::kNone;
-using Match = SweepTarget::Match;
+constexpr auto kNone = ScanTarget::kNone;
+using Match = ScanTarget::Match;
 
 struct Candidate {
   std::uint32_t index = kNone;
@@ -21,11 +21,11 @@ struct Candidate {
 };
 
 template <class Pair>
-std::optional<Pair> pair_of(const Eigen::Vector3d& source, const SweepTarget& target, const Match& m, const Pose& T,
+std::optional<Pair> pair_of(const Eigen::Vector3d& source, const ScanTarget& target, const Match& m, const Pose& T,
                             double weight_slope);
 
 template <>
-std::optional<PointToLine> pair_of(const Eigen::Vector3d& source, const SweepTarget& target, const Match& m,
+std::optional<PointToLine> pair_of(const Eigen::Vector3d& source, const ScanTarget& target, const Match& m,
                                    const Pose& T, double weight_slope) {
   if (m[0] == kNone || m[2] == kNone) return std::nullopt;
   const Eigen::Vector3d along = target[m[2]] - target[m[0]];
@@ -34,7 +34,7 @@ std::optional<PointToLine> pair_of(const Eigen::Vector3d& source, const SweepTar
 }
 
 template <>
-std::optional<PointToPlane> pair_of(const Eigen::Vector3d& source, const SweepTarget& target, const Match& m,
+std::optional<PointToPlane> pair_of(const Eigen::Vector3d& source, const ScanTarget& target, const Match& m,
                                     const Pose& T, double weight_slope) {
   if (m[0] == kNone || m[1] == kNone || m[2] == kNone) return std::nullopt;
   const Eigen::Vector3d normal = (target[m[1]] - target[m[0]]).cross(target[m[2]] - target[m[0]]);
@@ -44,13 +44,13 @@ std::optional<PointToPlane> pair_of(const Eigen::Vector3d& source, const SweepTa
 
 }  // namespace
 
-SweepTarget::SweepTarget(const PointCloud& cloud) : cloud_(cloud.points), rows_(cloud.rings) {
+ScanTarget::ScanTarget(const PointCloud& cloud) : cloud_(cloud.points), rows_(cloud.rings) {
   if (rows_.size() != cloud_.size() || !std::is_sorted(rows_.begin(), rows_.end()))
-    throw Error("sweep target", "needs points with rings, in ascending order");
+    throw Error("scan target", "needs points with rings, in ascending order");
 }
 
-SweepTarget::Match SweepTarget::match_at(const Eigen::Vector3d& query, const SweepOptions& options,
-                                         std::size_t limit) const {
+ScanTarget::Match ScanTarget::match_at(const Eigen::Vector3d& query, const ScanMatchOptions& options,
+                                       std::size_t limit) const {
   const double max_squared = options.max_distance * options.max_distance;
   const std::optional<Neighbor> nearest = cloud_.nearest(query);
   if (!nearest || nearest->squared_distance >= max_squared) return {kNone, kNone, kNone};
@@ -67,27 +67,27 @@ SweepTarget::Match SweepTarget::match_at(const Eigen::Vector3d& query, const Swe
 }
 
 template <class Pair>
-std::vector<DuringSweep<Pair>> SweepPairs<Pair>::operator()(const Pose& T_start_end) {
-  const PointCloud& cloud = *sweep_.cloud;
+std::vector<DuringScan<Pair>> ScanPairs<Pair>::operator()(const Pose& T_start_end) {
+  const PointCloud& cloud = *scan_.cloud;
   const std::size_t limit = options_.truncated_search ? cloud.size() : target_.size();
   const bool renew = iterations_ % options_.renew_every == 0;
   const double weight_slope = iterations_ < options_.renew_every ? 0.0 : options_.weight_slope;
   ++iterations_;
-  const ScanMotion motion({log(T_start_end) / sweep_.period}, 0.0, sweep_.period);
+  const ScanMotion motion({log(T_start_end) / scan_.period}, 0.0, scan_.period);
   const Pose T_end_start = T_start_end.inverse();
-  std::vector<DuringSweep<Pair>> pairs;
+  std::vector<DuringScan<Pair>> pairs;
   pairs.reserve(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const double time = cloud.has_times() ? double(cloud.times[i]) : sweep_.period;
+    const double time = cloud.has_times() ? double(cloud.times[i]) : scan_.period;
     const Eigen::Vector3d point_at_start = motion.move(cloud.points[i], time);
     if (renew) matches_[i] = target_.match_at(point_at_start, options_, limit);
     const auto pair = pair_of<Pair>(T_end_start * point_at_start, target_, matches_[i], T_start_end, weight_slope);
-    if (pair) pairs.push_back({*pair, time / sweep_.period});
+    if (pair) pairs.push_back({*pair, time / scan_.period});
   }
   return pairs;
 }
 
-template class SweepPairs<PointToLine>;
-template class SweepPairs<PointToPlane>;
+template class ScanPairs<PointToLine>;
+template class ScanPairs<PointToPlane>;
 
 }  // namespace tilth

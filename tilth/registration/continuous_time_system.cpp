@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include <tilth/registration/moving_system.hpp>
+#include <tilth/registration/continuous_time_system.hpp>
 
 namespace tilth {
 namespace {
@@ -13,7 +13,7 @@ using Triangle = Eigen::Array<double, 24, 1>;
 
 // What pairs say about the pose at the middle of the scan, and, times their levers, about the velocity: a point moves
 // (time - middle) times as far with that.
-struct MovingSums {
+struct SegmentSums {
   Triangle H = Triangle::Zero(), H1 = Triangle::Zero(), H2 = Triangle::Zero();
   Vector6d b = Vector6d::Zero(), b1 = Vector6d::Zero();
   double error = 0, squared_range = 0;
@@ -44,7 +44,7 @@ Vector6d jacobian_of(const FlatPair& pair) {
   return J;
 }
 
-void add(const FlatPair& pair, const RobustKernel& kernel, MovingSums& sums) {
+void add(const FlatPair& pair, const RobustKernel& kernel, SegmentSums& sums) {
   const double squared = pair.residual * pair.residual * pair.information;
   const double weight = kernel.weight(squared), w = weight * pair.information;
   const Vector6d J = jacobian_of(pair), wJ = w * J;
@@ -53,7 +53,7 @@ void add(const FlatPair& pair, const RobustKernel& kernel, MovingSums& sums) {
   sums.squared_range += pair.point.squaredNorm();
 }
 
-void add(const ShapePair& pair, const Pose& T, const RobustKernel& kernel, MovingSums& sums) {
+void add(const ShapePair& pair, const Pose& T, const RobustKernel& kernel, SegmentSums& sums) {
   const Eigen::Matrix3d information = pair.joint_in_map.inverse();
   const double squared = pair.offset_in_map.dot(information * pair.offset_in_map);
   const double weight = kernel.weight(squared);
@@ -74,20 +74,20 @@ Matrix6d whole(const Triangle& h) {
 }
 
 struct PartSums {
-  MovingSums sums;
+  SegmentSums sums;
   std::size_t matches = 0;
 };
 
 // The part of the scan in which a pair with this lever was seen.
 std::size_t part_of(double lever, double middle) {
-  constexpr int kParts = ScanTremor::kIntervals;
-  const double share = middle > 0 ? 0.5 * (lever / middle + 1) : 0;
-  return std::size_t(std::clamp(int(share * kParts), 0, kParts - 1));
+  constexpr int kParts = ScanVibration::kIntervals;
+  const double ratio = middle > 0 ? 0.5 * (lever / middle + 1) : 0;
+  return std::size_t(std::clamp(int(ratio * kParts), 0, kParts - 1));
 }
 
-MovingSystem system_of(const PartSums& part) {
-  const MovingSums& sums = part.sums;
-  MovingSystem system;
+ContinuousTimeSystem system_of(const PartSums& part) {
+  const SegmentSums& sums = part.sums;
+  ContinuousTimeSystem system;
   system.pose = {whole(sums.H), sums.b, sums.error, sums.squared_range, part.matches};
   const Matrix6d H1 = whole(sums.H1);
   system.H << system.pose.H, H1, H1, whole(sums.H2);
@@ -97,9 +97,9 @@ MovingSystem system_of(const PartSums& part) {
 
 }  // namespace
 
-MovingParts linearize(const PatchPairs& pairs, const MotionState& state) {
+SegmentSystems linearize(const PatchPairs& pairs, const MotionState& state) {
   const RobustKernel kernel{Kernel::geman_mcclure, state.kernel_width};
-  std::array<PartSums, ScanTremor::kIntervals> sums;
+  std::array<PartSums, ScanVibration::kIntervals> sums;
   for (const FlatPair& pair : pairs.flat) {
     PartSums& part = sums[part_of(pair.lever, state.middle)];
     add(pair, kernel, part.sums);
@@ -110,14 +110,14 @@ MovingParts linearize(const PatchPairs& pairs, const MotionState& state) {
     add(pair, state.T_map_lidar, kernel, part.sums);
     ++part.matches;
   }
-  MovingParts parts;
+  SegmentSystems parts;
   std::transform(sums.begin(), sums.end(), parts.begin(), system_of);
   return parts;
 }
 
-MovingSystem sum_of(const MovingParts& parts) {
-  MovingSystem sum;
-  for (const MovingSystem& part : parts) {
+ContinuousTimeSystem sum_of(const SegmentSystems& parts) {
+  ContinuousTimeSystem sum;
+  for (const ContinuousTimeSystem& part : parts) {
     sum.pose.H += part.pose.H;
     sum.pose.b += part.pose.b;
     sum.pose.error += part.pose.error;

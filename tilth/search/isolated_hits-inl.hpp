@@ -1,11 +1,11 @@
 // The candidates of one point that are within a limit, as they come, a vector at a time. The limit is lowered when
 // there are many more than can be of use: by counting how many are within guesses of it, which needs no order among
 // them.
-#if defined(TILTH_SEARCH_LONE_HITS_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef TILTH_SEARCH_LONE_HITS_INL
-#undef TILTH_SEARCH_LONE_HITS_INL
+#if defined(TILTH_SEARCH_ISOLATED_HITS_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef TILTH_SEARCH_ISOLATED_HITS_INL
+#undef TILTH_SEARCH_ISOLATED_HITS_INL
 #else
-#define TILTH_SEARCH_LONE_HITS_INL
+#define TILTH_SEARCH_ISOLATED_HITS_INL
 #endif
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace tilth {
 namespace HWY_NAMESPACE {
 namespace {
 
-class LoneHits {
+class IsolatedHits {
   using D = hn::ScalableTag<float>;
   using DU = hn::RebindToUnsigned<D>;
   static constexpr std::uint32_t kLanes = HWY_LANES(float);
@@ -58,8 +58,8 @@ class LoneHits {
     float low = 0.0f, high = farthest();
     std::uint32_t below = 0, hits = count_;
     for (int i = 0; i < kMostGuesses && hits > most; ++i) {
-      const float share = float(k_ + 1 + kSpare / 2 - below) / float(hits - below);
-      const float guess = i % 3 == 2 ? std::sqrt(std::max(low, 1e-6f * high) * high) : low + (high - low) * share;
+      const float ratio = float(k_ + 1 + kSpare / 2 - below) / float(hits - below);
+      const float guess = i % 3 == 2 ? std::sqrt(std::max(low, 1e-6f * high) * high) : low + (high - low) * ratio;
       const std::uint32_t count = count_within(guess);
       (count <= k_ ? low : high) = guess;
       (count <= k_ ? below : hits) = count;

@@ -1,15 +1,15 @@
-#include <tilth/registration/align_sweep.hpp>
+#include <tilth/registration/scan_to_scan.hpp>
 
 namespace tilth {
 
-AlignResult align_sweep(const SweepFeatures& sweep, const SweepTargets& targets, const Pose& T_init,
-                        const AlignSweepOptions& options) {
+AlignResult align_scan_to_scan(const TimedFeatures& scan, const ScanTargets& targets, const Pose& T_init,
+                               const ScanToScanOptions& options) {
   AlignResult result{.T_target_source = T_init};
   LinearSystem system;
   if (targets.edges.size() >= std::size_t(options.min_edges) &&
       targets.planes.size() >= std::size_t(options.min_planes)) {
-    SweepPairs<PointToPlane> planes({&sweep.planes, sweep.period}, targets.planes, options.matches);
-    SweepPairs<PointToLine> lines({&sweep.edges, sweep.period}, targets.edges, options.matches);
+    ScanPairs<PointToPlane> planes({&scan.planes, scan.period}, targets.planes, options.matches);
+    ScanPairs<PointToLine> lines({&scan.edges, scan.period}, targets.edges, options.matches);
     const auto planes_at = [&](const Pose& T) { return planes(T); };
     const auto lines_at = [&](const Pose& T) { return lines(T); };
     const AlignResult ground = align(T_init, options.ground_step, planes_at);
@@ -22,7 +22,7 @@ AlignResult align_sweep(const SweepFeatures& sweep, const SweepTargets& targets,
     result.converged &= ground.converged;
     result.iterations += ground.iterations;
   }
-  result.candidates = sweep.edges.size() + sweep.planes.size();
+  result.candidates = scan.edges.size() + scan.planes.size();
   diagnose(system, options.edge_step.degeneracy_ratio, result);
   return result;
 }

@@ -10,23 +10,23 @@ namespace tilth {
 
 /// [rad, m] in the frame of the scan's reference time, at regular instants from its beginning to its end; linear in
 /// between.
-struct ScanTremor {
+struct ScanVibration {
   static constexpr int kIntervals = 8;
   std::array<Vector6d, kIntervals + 1> knots;
 
-  ScanTremor() { knots.fill(Vector6d::Zero()); }
+  ScanVibration() { knots.fill(Vector6d::Zero()); }
 
   /// `share` of the scan that is over, 0 to 1.
-  Vector6d at(double share) const {
-    const double place = std::clamp(share, 0.0, 1.0) * kIntervals;
+  Vector6d at(double ratio) const {
+    const double place = std::clamp(ratio, 0.0, 1.0) * kIntervals;
     const auto i = std::size_t(std::min(place, double(kIntervals - 1)));
     return knots[i] + (place - double(i)) * (knots[i + 1] - knots[i]);
   }
 };
 
-/// What scans tell about the size of their tremor, in tilt, yaw and translation: sums of squares [rad^2, rad^2, m^2] of
-/// the deviations, and how many of these the scans determine.
-struct TremorEvidence {
+/// What scans tell about the size of their vibration, in tilt, yaw and translation: sums of squares [rad^2, rad^2, m^2]
+/// of the deviations, and how many of these the scans determine.
+struct VibrationEvidence {
   Eigen::Vector3d squares = Eigen::Vector3d::Zero();
   Eigen::Vector3d freedom = Eigen::Vector3d::Zero();
 };

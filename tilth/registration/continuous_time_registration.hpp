@@ -6,42 +6,42 @@
 
 #include <tilth/registration/motion_prior.hpp>
 #include <tilth/registration/patch_pairs.hpp>
-#include <tilth/registration/tremor.hpp>
+#include <tilth/registration/vibration.hpp>
 
 namespace tilth {
 
 /// What is known before a scan, for all of its steps.
 struct ScanPrior {
   MotionPrior motion;
-  TremorSpread spread = {};                   ///< none: no tremor is estimated
-  KnotMatrix knots = KnotMatrix::Identity();  ///< precision of the tremor's knots, where there is one
+  VibrationSigma spread = {};                 ///< none: no vibration is estimated
+  KnotMatrix knots = KnotMatrix::Identity();  ///< precision of the vibration's knots, where there is one
 };
 
 /// Of a scan whose middle is `middle` [s] after its stamp.
-ScanPrior scan_prior(const MotionPrior& motion, double middle, const AlignMovingOptions& options);
+ScanPrior scan_prior(const MotionPrior& motion, double middle, const ContinuousTimeOptions& options);
 
 /// One step of `state` on `pairs` and the prior, with the diagnosis of the pairs; false where there are too few pairs
 /// or no solution.
-bool step_moving(const PatchPairs& pairs, const ScanPrior& prior, const AlignMovingOptions& options, MotionState& state,
-                 MovingAlignment& result);
+bool gauss_newton_step(const PatchPairs& pairs, const ScanPrior& prior, const ContinuousTimeOptions& options,
+                       MotionState& state, ContinuousTimeAlignment& result);
 
 /// The state at which the patches agree with the target, and the prior. Pairs are made anew in every iteration; the
 /// kernel narrows from first_kernel_width to kernel_width (graduated non-convexity, Yang et al. 2020). Too few pairs:
 /// the predicted pose comes back, not converged.
 template <SurfaceLookup Lookup>
-MovingAlignment align_moving(const SurfacePatches& patches, double middle, const MotionPrior& prior,
-                             const Lookup& target, const AlignMovingOptions& options) {
+ContinuousTimeAlignment align_continuous_time(const SurfacePatches& patches, double middle, const MotionPrior& prior,
+                                              const Lookup& target, const ContinuousTimeOptions& options) {
   MotionState state{
       predicted(prior), {prior.velocity}, middle, std::max(options.first_kernel_width, options.kernel_width)};
-  MovingAlignment result{.pose = {.T_target_source = state.T_map_lidar},
-                         .motion = state.motion,
-                         .covariance = pose_variances(prior, options).asDiagonal()};
+  ContinuousTimeAlignment result{.pose = {.T_target_source = state.T_map_lidar},
+                                 .motion = state.motion,
+                                 .covariance = pose_variances(prior, options).asDiagonal()};
   result.pose.candidates = patches.size();
   const ScanPrior before = scan_prior(prior, middle, options);
   PatchMatching matching;
   while (result.pose.iterations < options.max_iterations && !result.pose.converged) {
     associate_patches(patches, state, target, options, matching);
-    if (!step_moving(matching.pairs, before, options, state, result)) return result;
+    if (!gauss_newton_step(matching.pairs, before, options, state, result)) return result;
     result.pose.converged &= state.kernel_width <= options.kernel_width;
     state.kernel_width = std::max(options.kernel_width, state.kernel_width / 2);
   }

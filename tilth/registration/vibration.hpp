@@ -1,0 +1,108 @@
+// The vibration of a scan, estimated together with its pose and velocity: deviations from constant acceleration at nine
+// instants, as large as the last scans have shown them to be (empirical Bayes, after MacKay 1992). A robot that rolls
+// smoothly has next to none, a shaking cart tenths of a degree.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <tilth/registration/continuous_time_system.hpp>
+#include <tilth/registration/vibration_options.hpp>
+
+namespace tilth {
+
+/// Standard deviations of the vibration.
+struct VibrationSigma {
+  double tilt = 0.0;         ///< [rad] about x and y of the LiDAR
+  double yaw = 0.0;          ///< [rad] about z, the axis of its spin
+  double translation = 0.0;  ///< [m] along each axis
+
+  bool none() const { return tilt == 0.0 || yaw == 0.0 || translation == 0.0; }
+
+  Vector6d variances() const {
+    Vector6d v;
+    v << tilt * tilt, tilt * tilt, yaw * yaw, Eigen::Vector3d::Constant(translation * translation);
+    return v;
+  }
+};
+
+/// As the last scans have shown it.
+VibrationSigma observed_sigma(const VibrationEvidence& evidence, const VibrationOptions& options);
+
+/// The same within the bounds of the options, by which parts of the map stay together.
+VibrationSigma vibration_sigma(const VibrationEvidence& evidence, const VibrationOptions& options);
+
+/// What is believed before the first scans: a platform may shake, until they show that it does not. A spread that
+/// began at its least would be slow to leave it, for as long as the map takes up what vibration there is.
+VibrationEvidence first_evidence(const VibrationOptions& options);
+
+/// Of the values of a coordinate at the knots.
+using KnotMatrix = Eigen::Matrix<double, ScanVibration::kIntervals + 1, ScanVibration::kIntervals + 1>;
+
+/// The inverse of the correlation between the knots of a scan of this duration [s], where vibrations of any frequency
+/// from `lowest` to `highest` are as likely: what a scan shows of a knot tells about those beside it.
+KnotMatrix knot_precision(double duration, const VibrationOptions& options);
+
+/// What is known of a vibration before its scan: the knots of a coordinate are jointly normal.
+struct VibrationPrior {
+  ScanVibration means;
+  KnotMatrix precision = KnotMatrix::Identity();  ///< of knots of variance 1
+  Vector6d variances = Vector6d::Zero();
+  Vector6d sigma_variances = Vector6d::Zero();  ///< if the means were zero and nothing else known
+};
+
+/// What the prior of a vibration depends on, beside what was seen of others.
+struct VibratingScan {
+  double ratio = 0.0;  ///< weight of the scan in the mean of vibrations
+  double scale = 1.0;  ///< of the residuals: squares over the variances that their pairs promise
+  KnotMatrix precision = KnotMatrix::Identity();  ///< of knots of variance 1
+};
+
+/// A vibration goes to and fro. One that stayed at an instant of the scan, from scan to scan, would let the part of the
+/// map that is seen at that instant leave the other parts, and nothing would bring it back: the mean of the vibrations
+/// over three seconds is held to zero as well. `mean` is that of those before the scan.
+VibrationPrior vibration_prior(const VibrationSigma& spread, const ScanVibration& mean, const VibratingScan& scan,
+                               const VibrationOptions& options);
+
+/// The weight of a scan in the mean of about three seconds, `interval` [s] after the last one.
+double mean_gain(double interval);
+
+/// What is left of the evidence after `interval` [s], and the fresh one.
+VibrationEvidence faded_sum(const VibrationEvidence& old, const VibrationEvidence& fresh, double interval);
+
+/// The mean after a scan of this vibration.
+ScanVibration mean_with(const ScanVibration& mean, const ScanVibration& vibration, double ratio);
+
+/// What of a vibration goes to and fro. The mean that it is seen about is an error of the map: what is put into the map
+/// without it lets the map come to rest where no instant of a scan leads another.
+ScanVibration without(const ScanVibration& vibration, const ScanVibration& mean);
+
+/// Pose, velocity and vibration of one linearisation: H x = -b.
+struct VibrationSystem {
+  static constexpr int kSize = 12 + 6 * (ScanVibration::kIntervals + 1);
+
+  using Matrix = Eigen::Matrix<double, kSize, kSize>;
+  using Vector = Eigen::Matrix<double, kSize, 1>;
+
+  Matrix H = Matrix::Zero();
+  Vector b = Vector::Zero();
+};
+
+using VibrationFactor = Eigen::LLT<VibrationSystem::Matrix>;  ///< of H
+
+/// Of the `parts` of a scan at `state`, whose pose and velocity, with their priors, are `smooth`.
+VibrationSystem vibration_system(const SegmentSystems& parts, const ContinuousTimeSystem& smooth,
+                                 const VibrationPrior& prior, const MotionState& state);
+
+/// Moves `vibration` and gives the step of pose and velocity; false where there is no solution.
+bool step_with_vibration(const VibrationSystem& system, const VibrationFactor& factor, Vector12d& step,
+                         ScanVibration& vibration);
+
+/// [rad^2, m^2] of the pose in the middle of the scan, its vibration included.
+Matrix6d covariance_in_middle(const VibrationFactor& factor);
+
+/// What a vibration, estimated by the system of this factor, tells about the spread.
+VibrationEvidence evidence_of(const VibrationFactor& factor, const VibrationPrior& prior,
+                              const ScanVibration& vibration);
+
+}  // namespace tilth
