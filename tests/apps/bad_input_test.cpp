@@ -158,6 +158,8 @@ TEST_F(BadInput, FewerTimesThanScans) {
 TEST_F(BadInput, Options) {
   write_room(scans_, kScans);
   expect_refused(run({"--set", "no_such_option=3"}), {"no_such_option", "not known"});
+  expect_refused(run({"--set", "align.bend=false"}), {"align.bend", "is called align.motion_model now"});
+  expect_refused(run({"--set", "align.tremor.yaw_share=0.1"}), {"is called align.vibration.yaw_ratio now"});
   expect_refused(run({"--set", "min_range=-1"}), {"min_range", "-1", "0 .. "});
   expect_refused(run({"--set", "min_range=near"}), {"min_range", "near", "number"});
   expect_refused(run({"--set", "min_range"}), {"min_range", "key=value"});

@@ -62,7 +62,7 @@ TEST(AcceleratingScan, DiffersFromTheLastOneAsFarAsItMay) {
 
 TEST(AcceleratingScan, MayBeTakenForOneOfConstantVelocity) {
   ContinuousTimeOptions options = kOptions;
-  options.bend = false;
+  options.motion_model = MotionModel::constant_velocity;
   const auto straight = aligned(SpeedingUp::since_long, options);
   EXPECT_TRUE(straight.motion.acceleration.isZero(0));
   EXPECT_GT(pose_error(straight), 5 * pose_error(aligned(SpeedingUp::since_long, kOptions)));

@@ -166,11 +166,14 @@ std::vector<OptionInfo> describe(O options) {
   return rows;
 }
 
+/// Throws Error for a key that none of `known` has: what it is called today where it was renamed.
+[[noreturn]] void refuse_unknown(const std::string& key, std::span<const OptionInfo> known);
+
 /// `options` with `values` set. Throws Error naming the key that is unknown, is no number, or breaks its bounds.
 template <Options O>
 O with(OptionValues values, O options = {}) {
   visit(options, options_detail::Reader{values, ""});
-  if (!values.empty()) throw Error("option " + values.begin()->first, "is not known (see `tilth config`)");
+  if (!values.empty()) refuse_unknown(values.begin()->first, describe(options));
   return options;
 }
 

@@ -50,9 +50,9 @@ OdometryResult LegoLoam::register_scan(const Scan& scan) {
   begin_stage("features");
   const LegoFeatures features = lego_features(segmented, options_.features);
 
-  begin_stage("scan");
+  begin_stage("scan to scan");
   result.alignment =
-      align_scan_to_scan({features.sharp, features.flat, period}, last_scan_, T_start_end_, options_.scan);
+      align_scan_to_scan({features.sharp, features.flat, period}, last_scan_, T_start_end_, options_.scan_to_scan);
   T_start_end_ = result.alignment.T_target_source;
   T_odom_end_ = normalized(T_odom_end_ * T_start_end_);
   result.motion.velocity = cloud.has_times() ? Vector6d(log(T_start_end_) / period) : Vector6d::Zero();

@@ -51,7 +51,7 @@ struct LegoLoamOptions {
   bool stamp_at_start = false;
   SegmentationOptions segmentation;
   LegoFeatureOptions features;
-  ScanToScanOptions scan;
+  ScanToScanOptions scan_to_scan;
   LegoMappingOptions mapping;
 };
 
@@ -65,7 +65,7 @@ void visit(LegoLoamOptions& o, V&& v) {
     "[-] as LeGO-LOAM: the pose, which is that of the end of the scan, is stamped with its start");
   v("segmentation", o.segmentation, "[-] range image, ground and clusters");
   v("features", o.features, "[-] edge and plane points");
-  v("scan", o.scan, "[-] scan to scan, in two steps");
+  v("scan_to_scan", o.scan_to_scan, "[-] scan to scan, in two steps");
   v("mapping", o.mapping, "[-] scan to map");
 }
 

@@ -1,10 +1,21 @@
 // Options of the registration of a scan that was taken in motion.
 #pragma once
 
+#include <array>
+#include <span>
+#include <string_view>
+
 #include <tilth/core/options.hpp>
 #include <tilth/registration/vibration_options.hpp>
 
 namespace tilth {
+
+/// How the LiDAR moves within a scan, but for its vibration.
+enum class MotionModel { constant_velocity, constant_acceleration };
+inline std::span<const std::string_view> names_of(MotionModel) {
+  static constexpr std::array<std::string_view, 2> names{"constant_velocity", "constant_acceleration"};
+  return names;
+}
 
 struct ContinuousTimeOptions {
   int max_iterations = 60;
@@ -21,7 +32,7 @@ struct ContinuousTimeOptions {
   double kernel_width = 1.3;
   double acceleration = 10.0;
   double angular_acceleration = 20.0;
-  bool bend = true;
+  MotionModel motion_model = MotionModel::constant_acceleration;
   double velocity_slack = 0.01;
   double velocity_ratio = 0.12;
   VibrationOptions vibration = {};
@@ -49,7 +60,7 @@ void visit(ContinuousTimeOptions& o, V&& v) {
   v("kernel_width", o.kernel_width, Bounds{1e-3, 1e9}, "[sigma] the same in the last iterations");
   v("acceleration", o.acceleration, Bounds{1e-3, 1e6}, "[m/s^2] standard deviation from constant velocity");
   v("angular_acceleration", o.angular_acceleration, Bounds{1e-3, 1e6}, "[rad/s^2] the same of the rotation");
-  v("bend", o.bend, "[-] constant acceleration in a scan; false: constant velocity, that of the motion since the last");
+  v("motion_model", o.motion_model, "[-] within a scan; constant_velocity: that of the motion since the last one");
   v("velocity_slack", o.velocity_slack, Bounds{1e-6, 1e6},
     "[m/s^2, rad/s^2] by which the acceleration in a scan may differ from the one before it");
   v("velocity_ratio", o.velocity_ratio, Bounds{0, 10},

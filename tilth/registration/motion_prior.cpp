@@ -17,6 +17,10 @@ Vector6d variances_of(double rotation_sigma, double translation_sigma) {
   return variances;
 }
 
+bool accelerates(const MotionPrior& prior, const ContinuousTimeOptions& options) {
+  return prior.known && options.motion_model == MotionModel::constant_acceleration;
+}
+
 }  // namespace
 
 Vector6d pose_variances(const MotionPrior& prior, const ContinuousTimeOptions& options) {
@@ -54,7 +58,7 @@ void add_pose_prior(const MotionPrior& prior, const ContinuousTimeOptions& optio
 }
 
 Vector6d acceleration_in(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state) {
-  if (!prior.known || !options.bend) return Vector6d::Zero();
+  if (!accelerates(prior, options)) return Vector6d::Zero();
   return 2 / prior.interval * (state.motion.velocity - motion_since_last(prior, state.T_map_lidar));
 }
 
@@ -63,7 +67,7 @@ void add_velocity_prior(const MotionPrior& prior, const ContinuousTimeOptions& o
   const double rate = 1 / prior.interval;
   const Vector6d motion = motion_since_last(prior, state.T_map_lidar);
   const Vector6d change = rate * (motion - prior.last_motion), surprise = change - prior.last_change;
-  const Vector6d expected = prior.known && options.bend ? Vector6d(motion + 0.5 * prior.interval * change) : motion;
+  const Vector6d expected = accelerates(prior, options) ? Vector6d(motion + 0.5 * prior.interval * change) : motion;
   const auto sigma = [&](double seen) {
     return 0.5 * prior.interval * (options.velocity_slack + options.velocity_ratio * seen);
   };

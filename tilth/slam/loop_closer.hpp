@@ -47,7 +47,7 @@ struct ConsistencyOptions {
 
 template <class V>
 void visit(ConsistencyOptions& o, V&& v) {
-  v("way", o.path, Bounds{0, 1e6}, "[m] of travel within which another closure must agree before one is accepted");
+  v("path", o.path, Bounds{0, 1e6}, "[m] of travel within which another closure must agree before one is accepted");
   v("distance", o.distance, Bounds{0, 100}, "[m] by which two closures that agree may differ");
   v("angle", o.angle, Bounds{0, 180}, "[deg] the same of the rotation");
   v("max_squared_error", o.max_squared_error, Bounds{0, 1e9},
