@@ -18,9 +18,9 @@ std::vector<std::string> folders_of(const std::string& model_path) {
   return folders;
 }
 
-bool has_own_path(const PathOptions& way) {
-  if (!way.path.empty() && !way.waypoints.empty()) throw Error("waypoints", "are given beside a path: one of the two");
-  return !way.path.empty() || !way.waypoints.empty();
+bool has_own_path(const PathOptions& own) {
+  if (!own.path.empty() && !own.waypoints.empty()) throw Error("waypoints", "are given beside a path: one of the two");
+  return !own.path.empty() || !own.waypoints.empty();
 }
 
 /// Along the poses of a file, which its errors name.
@@ -35,15 +35,15 @@ Trajectory followed(const std::string& path, const MotionOptions& motion) {
 
 Trajectory own_path(const SimulationOptions& options) {
   const MotionOptions motion = motion_of(options.scene);
-  const PathOptions& way = options.way;
-  return cut(way.path.empty() ? drive_through(parse_waypoints(way.waypoints, options.scene.height), way, motion)
-                              : followed(way.path, motion),
+  const PathOptions& own = options.path;
+  return cut(own.path.empty() ? drive_through(parse_waypoints(own.waypoints, options.scene.height), own, motion)
+                              : followed(own.path, motion),
              options.scene.duration);
 }
 
 Scene scene_of(const std::string& file, const SimulationOptions& options, std::vector<std::string>& warnings) {
   if (options.scene.people > 0) throw Error("people", "are those of the world file: only its actors walk there");
-  WorldFile world = read_world_file(file, folders_of(options.way.model_path));
+  WorldFile world = read_world_file(file, folders_of(options.path.model_path));
   warnings = std::move(world.warnings);
   return {std::move(world.mesh), std::move(world.movers), {}};
 }
@@ -56,7 +56,7 @@ OpenedSimulator open_simulator(const std::string& name, const OptionValues& valu
     throw Error("scene", "is missing: expected a file or one of " + options_detail::joined(scene_names()));
   OpenedSimulator opened{simulation_options(world_file ? kForeignScene : name, values), nullptr, {}};
   const SimulationOptions& options = opened.options;
-  const bool own = has_own_path(options.way);
+  const bool own = has_own_path(options.path);
   if (world_file && !own) {
     throw Error(name,
                 "has no way for the sensor: give --waypoints \"x,y;x,y\" or --path FILE.tum (a pose a line: stamp "
