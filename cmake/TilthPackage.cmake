@@ -1,7 +1,7 @@
 # The installed libraries: rooms gathered into few, each with the libraries its rooms need inside.
 # tilth_package(<name> [ROOMS <room>...] [LIBRARIES <target>...])     LIBRARIES are needed by the headers
 #
-# find_package(tilth) then offers tilth::tilth (Eigen and TBB, nothing else), tilth::simulation, tilth::slam, tilth::io, tilth::output.
+# find_package(tilth) then offers tilth::tilth (Eigen and TBB, nothing else), tilth::simulation, tilth::slam, tilth::io, tilth::run.
 include(CMakePackageConfigHelpers)
 
 function(tilth_package name)
@@ -37,7 +37,7 @@ tilth_package(tilth ROOMS core search sensor evaluation preprocess features regi
 tilth_package(simulation ROOMS simulation LIBRARIES tilth::tilth)
 tilth_package(io ROOMS io gazebo sources LIBRARIES tilth::tilth tilth::simulation)
 tilth_package(slam ROOMS slam LIBRARIES tilth::tilth)
-tilth_package(output ROOMS output LIBRARIES tilth::tilth tilth::io)
+tilth_package(run ROOMS plot run report study LIBRARIES tilth::tilth tilth::io tilth::slam)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/tilth)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/tilthConfig.cmake.in ${PROJECT_BINARY_DIR}/tilthConfig.cmake

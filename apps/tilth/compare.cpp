@@ -9,7 +9,7 @@
 #include "run_matrix.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/odometry/make_odometry.hpp>
-#include <tilth/output/comparison.hpp>
+#include <tilth/study/comparison.hpp>
 
 namespace tilth::app {
 namespace {

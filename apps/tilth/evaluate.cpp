@@ -8,7 +8,7 @@
 #include <tilth/evaluation/evaluate.hpp>
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/pose_file.hpp>
-#include <tilth/output/evaluation_report.hpp>
+#include <tilth/run/evaluation_report.hpp>
 
 namespace tilth::app {
 namespace {

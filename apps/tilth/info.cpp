@@ -7,8 +7,8 @@
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "source_flags.hpp"
-#include <tilth/output/scan_survey.hpp>
 #include <tilth/sources/open_source.hpp>
+#include <tilth/sources/scan_survey.hpp>
 
 namespace tilth::app {
 namespace {

@@ -16,7 +16,8 @@
 #include "run_report.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/odometry/continued_odometry.hpp>
-#include <tilth/output/run_journal.hpp>
+#include <tilth/report/write_run.hpp>
+#include <tilth/run/run_journal.hpp>
 #include <tilth/sources/live_source.hpp>
 
 namespace tilth::app {
@@ -125,7 +126,7 @@ int live(const LiveArguments& arguments) {
   if (!source) return signal_exit_code();
   const bool continues = arguments.resume && holds_run(arguments.out);
   if (continues) resume(arguments, record, console);
-  RunJournal journal(arguments.out, record.output, !continues);
+  RunJournal journal(arguments.out, run_files(record.output, true), !continues);
   begin_mcap(arguments.out, record);
   const std::unique_ptr<Odometry> odometry = continued(std::move(pipeline.odometry), record);
   Keeper keeper(arguments, *source, journal, console);
@@ -141,7 +142,9 @@ int live(const LiveArguments& arguments) {
   if (pipeline.slam != nullptr) close_loops(*pipeline.slam, record);
   record.wall_seconds = stopwatch.seconds();
   record.peak_megabytes = peak_megabytes();
-  const std::vector<std::string> failures = journal.finish(record);
+  std::vector<std::string> failures = journal.finish(record);
+  for (std::string& failure : write_run(arguments.out, record, RunJournal::kept(record)))
+    failures.push_back(std::move(failure));
   report_run(record, arguments.out, console);
   for (const std::string& failure : failures) console.error(failure);
   return failures.empty() && record.trajectory.size() > before ? 0 : 1;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "file_lock.hpp"
-#include <tilth/output/output_folder.hpp>
+#include <tilth/run/output_folder.hpp>
 
 namespace tilth::app {
 

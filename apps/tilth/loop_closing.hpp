@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "option_arguments.hpp"
-#include <tilth/output/run_record.hpp>
+#include <tilth/run/run_record.hpp>
 #include <tilth/slam/slam.hpp>
 
 namespace tilth::app {

@@ -7,7 +7,7 @@
 #include "console.hpp"
 #include "stage_clock.hpp"
 #include <tilth/odometry/odometry.hpp>
-#include <tilth/output/run_record.hpp>
+#include <tilth/run/run_record.hpp>
 #include <tilth/sources/scan_source.hpp>
 
 namespace tilth::app {

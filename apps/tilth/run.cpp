@@ -15,7 +15,8 @@
 #include <tilth/core/error.hpp>
 #include <tilth/evaluation/evaluate.hpp>
 #include <tilth/io/pose_file.hpp>
-#include <tilth/output/run_record.hpp>
+#include <tilth/report/write_run.hpp>
+#include <tilth/run/run_record.hpp>
 #include <tilth/sources/open_source.hpp>
 
 namespace tilth::app {

@@ -11,7 +11,7 @@
 #include "console.hpp"
 #include "job.hpp"
 #include <tilth/core/options.hpp>
-#include <tilth/output/run_outcome.hpp>
+#include <tilth/study/run_outcome.hpp>
 
 namespace tilth::app {
 

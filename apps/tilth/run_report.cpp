@@ -6,8 +6,9 @@
 
 #include "machine.hpp"
 #include <tilth/odometry/make_odometry.hpp>
-#include <tilth/output/evaluation_report.hpp>
-#include <tilth/output/summary_json.hpp>
+#include <tilth/report/write_run.hpp>
+#include <tilth/run/evaluation_report.hpp>
+#include <tilth/run/summary_json.hpp>
 
 namespace tilth::app {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "console.hpp"
 #include "option_arguments.hpp"
-#include <tilth/output/run_record.hpp>
+#include <tilth/run/run_record.hpp>
 
 namespace tilth::app {
 

@@ -11,8 +11,8 @@
 #include "labelled_scans.hpp"
 #include "option_arguments.hpp"
 #include <tilth/io/output_file.hpp>
-#include <tilth/output/filter_report.hpp>
 #include <tilth/simulation/scenes.hpp>
+#include <tilth/study/filter_report.hpp>
 
 namespace tilth::app {
 namespace {

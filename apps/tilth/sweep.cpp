@@ -10,8 +10,8 @@
 #include "run_matrix.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/odometry/make_odometry.hpp>
-#include <tilth/output/sweep.hpp>
 #include <tilth/sources/simulated_source.hpp>
+#include <tilth/study/sweep.hpp>
 
 namespace tilth::app {
 namespace {

@@ -23,13 +23,17 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
     {"map", {"core", "search"}},
     {"simulation", {"core", "sensor/lidar_model.hpp"}},
     {"gazebo", {"core", "simulation"}},
-    {"output",
-     {"core", "evaluation", "io", "sensor/point_cloud2.hpp", "sensor/pose_message.hpp", "sensor/ros2_definitions.hpp"}},
+    {"plot", {"core", "evaluation"}},
     {"odometry", {"core", "search", "sensor/lidar_model.hpp", "preprocess", "features", "registration", "map"}},
     {"sources", {"core", "sensor", "io", "simulation", "gazebo"}},
     {"slam",
      {"core", "search", "registration", "odometry/odometry.hpp", "preprocess/deskew.hpp",
       "features/surface_patches.hpp", "map/patch_map.hpp"}},
+    {"run",
+     {"core", "io", "evaluation", "sensor/point_cloud2.hpp", "sensor/pose_message.hpp", "sensor/ros2_definitions.hpp",
+      "odometry", "sources", "slam"}},
+    {"report", {"core", "io", "evaluation", "plot", "run"}},
+    {"study", {"core", "io", "evaluation", "plot", "run", "report"}},
 };
 
 /// Where alone a library's headers may stand: beginnings of paths.
@@ -46,9 +50,9 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
     {"pcap/", {"tilth/io/pcap.cpp"}},
     {"sqlite3", {"tilth/io/rosbag2.cpp"}},
     {"zstd", {"tilth/io/unpack.cpp"}},
-    {"zlib.h", {"tilth/output/packed_map.cpp"}},
+    {"zlib.h", {"tilth/report/packed_map.cpp"}},
     {"httplib.h", {"apps/tilth/view.cpp"}},
-    {"nlohmann/", {"tilth/output/", "apps/"}},
+    {"nlohmann/", {"tilth/run/", "tilth/report/", "tilth/study/", "apps/"}},
     {"CLI/", {"apps/"}},
     {"ceres/", {"tilth/slam/optimize.cpp"}},
     {"pcl/", {}},
@@ -56,8 +60,8 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
 };
 
 /// Algorithm rooms are silent and blind: no file, no print, no clock, no thread.
-const std::set<std::string> kSilentRooms{"core",         "search", "sensor",     "evaluation", "preprocess", "features",
-                                         "registration", "map",    "simulation", "odometry",   "slam"};
+const std::set<std::string> kSilentRooms{"core",     "search",       "sensor", "evaluation", "plot",     "preprocess",
+                                         "features", "registration", "map",    "simulation", "odometry", "slam"};
 const std::set<std::string> kLoudHeaders{"iostream", "fstream",  "print",   "filesystem", "chrono",
                                          "ctime",    "time.h",   "thread",  "mutex",      "future",
                                          "atomic",   "unistd.h", "csignal", "random",     "condition_variable"};

@@ -18,7 +18,7 @@ export async function inflated(base64) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** Undoes the packing of tilth/output/packed_map.hpp: zigzag differences, low bytes before high bytes. */
+/** Undoes the packing of tilth/report/packed_map.hpp: zigzag differences, low bytes before high bytes. */
 export async function undifferenced(base64, count) {
   const bytes = await inflated(base64);
   const values = new Uint16Array(count);

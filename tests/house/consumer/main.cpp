@@ -1,8 +1,8 @@
 // Uses one function of every installed library; ends with zero where all of them answer as they should.
 #include <tilth/core/trajectory.hpp>
+#include <tilth/evaluation/distribution.hpp>
 #include <tilth/io/trajectory_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
-#include <tilth/output/distribution.hpp>
 #include <tilth/simulation/scenes.hpp>
 
 int main() {

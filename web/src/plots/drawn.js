@@ -7,7 +7,7 @@ import { heat } from "./heat.js";
 import { common, nameAxis, nameMargin, tipLook } from "./look.js";
 
 const kWayHeights = [300, 560]; // [px] least and most
-const kShades = ["#2560a8", "#34a8a0", "#f0b43c", "#cd322d"]; // as tilth/output/svg_content.cpp
+const kShades = ["#2560a8", "#34a8a0", "#f0b43c", "#cd322d"]; // as tilth/plot/svg_content.cpp
 const kMostHovered = 4000; // points of a way that the mouse finds
 
 function rowsOf(curve) {

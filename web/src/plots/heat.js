@@ -4,7 +4,7 @@ import { color } from "../theme.js";
 import { numberText } from "../words.js";
 import { common } from "./look.js";
 
-const kHeat = ["rgb(255,247,200)", "rgb(233,140,120)", "rgb(165,32,40)"]; // about as tilth/output/svg_heat.cpp
+const kHeat = ["rgb(255,247,200)", "rgb(233,140,120)", "rgb(165,32,40)"]; // about as tilth/plot/svg_heat.cpp
 
 export function heat(plot, width) {
   const cells = plot.curves.flatMap((c) => Array.from(c.y, (value, k) => ({ x: plot.categories[k], y: c.name, value })));

@@ -1,0 +1,2 @@
+# JSON is written inside the room only.
+target_link_libraries(tilth_run PRIVATE nlohmann_json::nlohmann_json)

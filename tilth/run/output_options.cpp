@@ -1,0 +1,21 @@
+#include <array>
+#include <sstream>
+
+#include <tilth/core/error.hpp>
+#include <tilth/run/output_options.hpp>
+
+namespace tilth {
+
+std::set<std::string> map_formats(const OutputOptions& options) {
+  const std::set<std::string> known{"pcd", "ply", "las"};
+  std::set<std::string> formats;
+  std::istringstream words(options.map_format);
+  for (std::string word; std::getline(words, word, ',');) {
+    if (!known.contains(word)) throw Error("option map_format", "has '" + word + "': expected pcd, ply or las");
+    formats.insert(word);
+  }
+  if (formats.empty()) throw Error("option map_format", "names no format: expected pcd, ply or las");
+  return formats;
+}
+
+}  // namespace tilth
