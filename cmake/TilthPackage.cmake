@@ -35,7 +35,7 @@ endfunction()
 tilth_package(tilth ROOMS core search sensor evaluation preprocess features registration map odometry LIBRARIES
               Eigen3::Eigen TBB::tbb)
 tilth_package(simulation ROOMS simulation LIBRARIES tilth::tilth)
-tilth_package(io ROOMS io gazebo sources LIBRARIES tilth::tilth tilth::simulation)
+tilth_package(io ROOMS io messages gazebo sources LIBRARIES tilth::tilth tilth::simulation)
 tilth_package(slam ROOMS slam LIBRARIES tilth::tilth)
 tilth_package(run ROOMS plot run report study LIBRARIES tilth::tilth tilth::io tilth::slam)
 

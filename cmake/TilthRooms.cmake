@@ -1,9 +1,24 @@
 # A room is a folder of tilth/: its sources become an object library tilth_<room>, which sees only the rooms it may include.
-# tilth_room(<name> [ROOMS <room>...] [LIBRARIES <target>...])      LIBRARIES are needed by the room's headers
+# tilth_read_rooms(<out>)                   the rooms of rooms.txt in their order; <room>_ROOMS holds those it may include
+# tilth_room(<name> [ROOMS <room>...])      libraries of its own are linked in rooms/<name>.cmake
 # tilth_tests(<name> [ROOMS <room>...] [LIBRARIES <target>...])     tests/<name>/*_test.cpp -> one GoogleTest program
 
+function(tilth_read_rooms out)
+  set(list ${PROJECT_SOURCE_DIR}/cmake/rooms.txt)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
+  file(STRINGS ${list} lines REGEX "^[a-z]")
+  set(names "")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCHALL "[a-z]+" below "${line}")
+    list(POP_FRONT below name)
+    list(APPEND names ${name})
+    set(${name}_ROOMS ${below} PARENT_SCOPE)
+  endforeach()
+  set(${out} ${names} PARENT_SCOPE)
+endfunction()
+
 function(tilth_room name)
-  cmake_parse_arguments(ARG "" "" "ROOMS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "ROOMS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tilth/${name}/*.cpp)
   file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tilth/${name}/*.hpp)
   if(NOT sources AND NOT headers)
@@ -17,7 +32,7 @@ function(tilth_room name)
   target_include_directories(tilth_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   target_compile_features(tilth_${name} PUBLIC cxx_std_20)
   set_target_properties(tilth_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON TILTH_HEADERS "${headers}")
-  target_link_libraries(tilth_${name} PUBLIC ${ARG_LIBRARIES} PRIVATE tilth_warnings)
+  target_link_libraries(tilth_${name} PRIVATE tilth_warnings)
   foreach(room IN LISTS ARG_ROOMS)
     if(TARGET tilth_${room})
       target_link_libraries(tilth_${name} PUBLIC tilth_${room})

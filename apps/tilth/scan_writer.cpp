@@ -17,8 +17,8 @@
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/ply.hpp>
 #include <tilth/io/rosbag1_writer.hpp>
-#include <tilth/sensor/point_cloud2.hpp>
-#include <tilth/sensor/ros2_definitions.hpp>
+#include <tilth/messages/point_cloud2.hpp>
+#include <tilth/messages/ros2_definitions.hpp>
 
 namespace tilth::app {
 namespace {

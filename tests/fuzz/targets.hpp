@@ -28,10 +28,10 @@
 #include <tilth/io/rosbag2_metadata.hpp>
 #include <tilth/io/times_file.hpp>
 #include <tilth/io/unpack.hpp>
+#include <tilth/messages/packet_message.hpp>
+#include <tilth/messages/point_cloud2.hpp>
 #include <tilth/sensor/device_packet.hpp>
 #include <tilth/sensor/packet_decoder.hpp>
-#include <tilth/sensor/packet_message.hpp>
-#include <tilth/sensor/point_cloud2.hpp>
 #include <tilth/sensor/scan_decoder.hpp>
 
 namespace tilth::fuzz {

@@ -10,7 +10,7 @@
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/ply.hpp>
 #include <tilth/io/rosbag1_writer.hpp>
-#include <tilth/sensor/point_cloud2.hpp>
+#include <tilth/messages/point_cloud2.hpp>
 #include <tilth/sources/open_source.hpp>
 #include <tilth/sources/scan_files.hpp>
 

@@ -6,11 +6,11 @@
 #include <tilth/core/error.hpp>
 #include <tilth/io/cloud_records.hpp>
 #include <tilth/io/mcap_writer.hpp>
+#include <tilth/messages/point_cloud2.hpp>
+#include <tilth/messages/pose_message.hpp>
+#include <tilth/messages/ros2_definitions.hpp>
 #include <tilth/run/run_mcap.hpp>
 #include <tilth/run/run_record.hpp>
-#include <tilth/sensor/point_cloud2.hpp>
-#include <tilth/sensor/pose_message.hpp>
-#include <tilth/sensor/ros2_definitions.hpp>
 
 namespace tilth {
 namespace {

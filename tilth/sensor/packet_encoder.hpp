@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include <tilth/core/lidar_model.hpp>
 #include <tilth/core/scan.hpp>
-#include <tilth/sensor/lidar_model.hpp>
 #include <tilth/sensor/packet_format.hpp>
 
 namespace tilth {

@@ -8,11 +8,11 @@
 #include <span>
 #include <string_view>
 
+#include <tilth/core/lidar_model.hpp>
 #include <tilth/core/options.hpp>
 #include <tilth/core/point_label.hpp>
 #include <tilth/core/scan.hpp>
 #include <tilth/core/trajectory.hpp>
-#include <tilth/sensor/lidar_model.hpp>
 #include <tilth/simulation/world.hpp>
 
 namespace tilth {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/packet_message.hpp>
+#include <tilth/messages/packet_message.hpp>
 #include <tilth/sources/bag_packets.hpp>
 
 namespace tilth {

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/packet_message.hpp>
-#include <tilth/sensor/point_cloud2.hpp>
+#include <tilth/messages/packet_message.hpp>
+#include <tilth/messages/point_cloud2.hpp>
 #include <tilth/sources/bag_packets.hpp>
 #include <tilth/sources/bag_source.hpp>
 #include <tilth/sources/packet_source.hpp>

@@ -1,6 +1,6 @@
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/packet_message.hpp>
-#include <tilth/sensor/point_cloud2.hpp>
+#include <tilth/messages/packet_message.hpp>
+#include <tilth/messages/point_cloud2.hpp>
 #include <tilth/sources/bag_topic.hpp>
 
 namespace tilth {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <tilth/io/recording.hpp>
-#include <tilth/sensor/ros_message.hpp>
+#include <tilth/messages/ros_message.hpp>
 
 namespace tilth {
 

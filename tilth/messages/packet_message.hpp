@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tilth/sensor/ros_message.hpp>
+#include <tilth/messages/ros_message.hpp>
 
 namespace tilth {
 

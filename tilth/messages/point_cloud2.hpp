@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <tilth/core/point_records.hpp>
-#include <tilth/sensor/ros_message.hpp>
+#include <tilth/messages/ros_message.hpp>
 
 namespace tilth {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/point_cloud2.hpp>
+#include <tilth/messages/point_cloud2.hpp>
 #include <tilth/sensor/point_fields.hpp>
 
 namespace tilth {

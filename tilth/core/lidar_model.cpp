@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/lidar_model.hpp>
+#include <tilth/core/lidar_model.hpp>
 
 namespace tilth {
 namespace {

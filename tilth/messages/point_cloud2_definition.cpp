@@ -1,4 +1,4 @@
-#include <tilth/sensor/point_cloud2.hpp>
+#include <tilth/messages/point_cloud2.hpp>
 
 namespace tilth {
 

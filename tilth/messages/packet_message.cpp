@@ -3,7 +3,7 @@
 #include <string>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/packet_message.hpp>
+#include <tilth/messages/packet_message.hpp>
 
 namespace tilth {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/lidar_model.hpp>
+#include <tilth/core/lidar_model.hpp>
 
 namespace tilth {
 namespace {

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/ros_message.hpp>
+#include <tilth/messages/ros_message.hpp>
 
 namespace tilth {
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/packet_message.hpp>
+#include <tilth/messages/packet_message.hpp>
 
 namespace tilth {
 namespace {

@@ -1,5 +1,5 @@
-#include <tilth/sensor/pose_message.hpp>
-#include <tilth/sensor/ros_message_writer.hpp>
+#include <tilth/messages/pose_message.hpp>
+#include <tilth/messages/ros_message_writer.hpp>
 
 namespace tilth {
 namespace {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/ros_message_writer.hpp>
+#include <tilth/messages/ros_message_writer.hpp>
 
 namespace tilth {
 

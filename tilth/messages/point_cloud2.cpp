@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/point_cloud2.hpp>
-#include <tilth/sensor/ros_message_writer.hpp>
+#include <tilth/messages/point_cloud2.hpp>
+#include <tilth/messages/ros_message_writer.hpp>
 
 namespace tilth {
 namespace {

@@ -1,6 +1,6 @@
 #include <initializer_list>
 
-#include <tilth/sensor/ros2_definitions.hpp>
+#include <tilth/messages/ros2_definitions.hpp>
 
 namespace tilth {
 namespace {
