@@ -12,14 +12,24 @@ MotionInScan some_motion() {
   MotionInScan motion;
   motion.velocity << 0.2, -0.1, 1.5, 2.0, -0.3, 0.1;
   motion.acceleration << 0.3, -0.2, 6.0, 3.0, 1.0, -0.5;
+  motion.begin = -kMiddle, motion.duration = kDuration;
+  return motion;
+}
+
+MotionInScan shaking_motion() {
+  MotionInScan motion = some_motion();
+  for (std::size_t i = 0; i < motion.vibration.knots.size(); ++i) {
+    const double sign = i % 2 == 0 ? 1 : -1;
+    motion.vibration.knots[i] = sign * (Vector6d() << 2e-3, -1e-3, 1e-3, 1e-3, 2e-3, -1e-3).finished();
+  }
   return motion;
 }
 
 TEST(ScanMotion, IsTheIntegralOfItsVelocity) {
   const MotionInScan motion = some_motion();
-  const ScanMotion in_scan(motion, kMiddle, kDuration);
+  const ScanMotion in_scan(motion, kMiddle);
   constexpr int kSteps = 5000;
-  for (const double end : {0.0, 0.0123, 0.09, 0.1}) {
+  for (const double end : {-0.01, 0.0, 0.0123, 0.09, 0.1, 0.11}) {
     const double step = (end - kMiddle) / kSteps;
     Pose T_middle_end = Pose::Identity();
     for (int i = 0; i < kSteps; ++i) {
@@ -33,19 +43,20 @@ TEST(ScanMotion, IsTheIntegralOfItsVelocity) {
 }
 
 TEST(ScanMotion, IsTheSameSeenFromAnotherInstant) {
-  MotionInScan motion = some_motion();
-  for (std::size_t i = 0; i < motion.vibration.knots.size(); ++i) {
-    const double sign = i % 2 == 0 ? 1 : -1;
-    motion.vibration.knots[i] = sign * (Vector6d() << 2e-3, -1e-3, 1e-3, 1e-3, 2e-3, -1e-3).finished();
-  }
+  const MotionInScan motion = shaking_motion();
   const double ratio = 0.75;
-  const ScanMotion middle(motion, kMiddle, kDuration);
-  const ScanMotion later(motion.from((ratio - 0.5) * kDuration, ratio), ratio * kDuration, kDuration);
+  const ScanMotion middle(motion, kMiddle);
+  const ScanMotion later(motion.from((ratio - 0.5) * kDuration), ratio * kDuration);
   const Pose T_middle_later = middle.at(ratio * kDuration);
   const Eigen::Vector3d p(12, -7, 1);
   for (const double time : {0.0, 0.0125, 0.05, 0.0875, 0.1}) {
     EXPECT_LT((T_middle_later * later.move(p, time) - middle.move(p, time)).norm(), 4e-3) << time << ": 0.3 mrad";
   }
+}
+
+TEST(MotionInScan, WhatOnlyVibratesIsNotAtRest) {
+  EXPECT_TRUE(MotionInScan::steady(Vector6d::Zero(), kMiddle).at_rest());
+  EXPECT_FALSE(MotionInScan{.vibration = shaking_motion().vibration}.at_rest());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Crop, deskew and the outlier filter; the filter against its formulas written out plainly.
+// Crop and the outlier filter; the filter against its formulas written out plainly.
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,7 +10,6 @@
 #include <tilth/core/error.hpp>
 #include <tilth/preprocess/adapted_threshold.hpp>
 #include <tilth/preprocess/crop.hpp>
-#include <tilth/preprocess/deskew.hpp>
 #include <tilth/preprocess/neighbor_distances.hpp>
 #include <tilth/preprocess/outlier_removal.hpp>
 
@@ -25,28 +24,6 @@ TEST(Crop, DropsNearFarAndNonFinitePoints) {
   const PointCloud cropped = crop_range(cloud, 0.5, 5.0);
   EXPECT_EQ(cropped.rings, (std::vector<std::uint16_t>{0, 5}));
   EXPECT_TRUE(crop_range({}, 0.5, 5.0).empty());
-}
-
-TEST(Deskew, PutsAWallSeenInMotionBackInOnePlace) {
-  const Vector6d velocity = (Vector6d() << 0.1, -0.2, 1.5, 2.0, 0.3, -0.1).finished();
-  const Eigen::Vector3d fixed(4, 1, 0.5);  // in the LiDAR's frame at t = 0.05
-  const Eigen::Matrix3d covariance = Eigen::Vector3d(4, 2, 1).asDiagonal();
-  SurfacePatches patches;
-  for (int i = 0; i <= 10; ++i) {
-    const double t = 0.0099 * i;
-    const Pose T = exp(velocity * (t - 0.05)).inverse();
-    patches.push_back({.mean = T * fixed,
-                       .covariance = T.linear() * covariance * T.linear().transpose(),
-                       .normal = T.linear() * Eigen::Vector3d::UnitX(),
-                       .time = float(t)});
-  }
-  for (const SurfacePatch& patch : deskew(patches, {velocity}, 0.05)) {
-    EXPECT_LT((patch.mean - fixed).norm(), 1e-5);
-    EXPECT_LT((patch.normal - Eigen::Vector3d::UnitX()).norm(), 1e-5);
-    EXPECT_LT((patch.covariance - covariance).norm(), 1e-4);
-  }
-  for (SurfacePatch& patch : patches) patch.time = 0;  // no times
-  EXPECT_EQ(deskew(patches, {velocity}, 0.05)[3].mean, patches[3].mean);
 }
 
 // A dense sheet with a few points far off it.

@@ -73,6 +73,7 @@ inline ScanVibration vibration(double rotation, double translation, std::mt19937
 
 inline MotionState state_at_rest() {
   MotionState state;
+  state.motion = MotionInScan::steady(Vector6d::Zero(), kMiddle);
   state.middle = kMiddle;
   state.kernel_width = 1e6;
   return state;

@@ -2,43 +2,60 @@
 // in between, along the tangent (error below 0.02 mm at 20 m and 90 degrees a second).
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <limits>
 
 #include <tilth/core/scan_vibration.hpp>
 #include <tilth/core/se3.hpp>
 
 namespace tilth {
 
-/// How the LiDAR moves about an instant of its scan, in its own frame.
+/// How the LiDAR moves about an instant of its scan, in its own frame. Times [s] count from that instant.
 struct MotionInScan {
   Vector6d velocity = Vector6d::Zero();      ///< [rad/s, m/s] at the instant
   Vector6d acceleration = Vector6d::Zero();  ///< [rad/s^2, m/s^2]
-  ScanVibration vibration = {};              ///< beside them
+  double begin = 0.0;                        ///< [s] of the scan, and the first knot of its vibration
+  double duration = 0.0;                     ///< [s] of the scan, from the first knot to the last one
+  ScanVibration vibration = {};              ///< beside velocity and acceleration
 
-  bool at_rest() const { return velocity.isZero(0) && acceleration.isZero(0); }
+  /// About the middle of a scan, `middle` after its beginning, at constant velocity.
+  static MotionInScan steady(const Vector6d& velocity, double middle) {
+    return {.velocity = velocity, .begin = -middle, .duration = 2 * middle};
+  }
 
-  /// Where it is after `time` [s], but for the vibration.
+  bool at_rest() const { return velocity.isZero(0) && acceleration.isZero(0) && vibration.none(); }
+
+  /// Which part of the scan is over at `time`.
+  double ratio(double time) const { return duration > 0 ? (time - begin) / duration : 0.0; }
+
+  /// Where it is after `time`, but for the vibration.
   Pose after(double time) const { return exp(time * (velocity + 0.5 * time * acceleration)); }
 
-  /// The same motion about an instant `time` [s] later, which is that `share` of the scan.
-  MotionInScan from(double time, double ratio) const {
-    MotionInScan later{velocity + time * acceleration, acceleration, vibration};
-    for (Vector6d& knot : later.vibration.knots) knot -= vibration.at(ratio);
+  /// Where it is at `time`.
+  Pose at(double time) const { return exp(vibration.at(ratio(time))) * after(time); }
+
+  /// The same motion about an instant `time` later.
+  MotionInScan from(double time) const {
+    MotionInScan later{velocity + time * acceleration, acceleration, begin - time, duration, vibration};
+    for (Vector6d& knot : later.vibration.knots) knot -= vibration.at(ratio(time));
     return later;
   }
 };
 
+/// The same, worked out beforehand for all points of the scan. Whoever moves points of a scan by its motion, for the
+/// registration, a map or an output, moves them alike: what they have left of the scan does not matter.
 class ScanMotion {
  public:
   /// `motion` is the LiDAR's about `reference_time`, the instant that all points are to be seen from. Times [s] count
-  /// from the stamp of the scan and run from 0 to about `duration`. The vibration comes on top: T_reference_time is
-  /// exp(vibration) * motion.after(time - reference_time).
-  ScanMotion(const MotionInScan& motion, double reference_time, double duration)
-      : step_(std::max(duration, 1e-9) / kKnots) {
-    for (std::size_t i = 0; i < R_reference_knot_.size(); ++i) {
-      const double lever = step_ * double(i) - reference_time;
-      const Pose T = exp(motion.vibration.at(double(i) / kKnots)) * motion.after(lever);
+  /// from the stamp of the scan.
+  ScanMotion(const MotionInScan& motion, double reference_time)
+      : motion_(motion),
+        reference_time_(reference_time),
+        begin_(reference_time + motion.begin),
+        step_(motion.duration / kIntervals) {
+    for (std::size_t i = 0; i <= kIntervals; ++i) {
+      const double lever = step_ * double(i) + motion.begin;
+      const Pose T = exp(motion.vibration.at(double(i) / kIntervals)) * motion.after(lever);
       const Vector6d velocity = motion.velocity + lever * motion.acceleration;
       R_reference_knot_[i] = T.linear();
       t_reference_knot_[i] = T.translation();
@@ -50,7 +67,8 @@ class ScanMotion {
   /// Where the LiDAR was at `time`, seen from where it was at the reference time.
   Pose at(double time) const {
     const std::size_t i = knot(time);
-    const double rest = time - step_ * double(i);
+    if (i == kNone) return motion_.at(time - reference_time_);
+    const double rest = since_knot(time, i);
     const Eigen::Matrix3d& R = R_reference_knot_[i];
     Pose T_reference_time = Pose::Identity();
     T_reference_time.translation() = t_reference_knot_[i] + rest * (R * linear_[i]);
@@ -59,28 +77,37 @@ class ScanMotion {
   }
 
   /// The rotation of at(time), to half a knot: within 0.07 degrees at 90 degrees a second.
-  const Eigen::Matrix3d& rotation(double time) const { return R_reference_knot_[knot(time)]; }
+  Eigen::Matrix3d rotation(double time) const {
+    const std::size_t i = knot(time);
+    return i == kNone ? Eigen::Matrix3d(motion_.at(time - reference_time_).linear()) : R_reference_knot_[i];
+  }
 
   /// at(time) * p.
   Eigen::Vector3d move(const Eigen::Vector3d& p, double time) const {
     const std::size_t i = knot(time);
-    return R_reference_knot_[i] * (p + (time - step_ * double(i)) * (angular_[i].cross(p) + linear_[i])) +
+    if (i == kNone) return motion_.at(time - reference_time_) * p;
+    return R_reference_knot_[i] * (p + since_knot(time, i) * (angular_[i].cross(p) + linear_[i])) +
            t_reference_knot_[i];
   }
 
  private:
-  static constexpr int kKnots = 64;
+  static constexpr std::size_t kIntervals = 64;
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
+  /// The nearest one, or kNone outside the scan.
   std::size_t knot(double time) const {
-    const double steps = time / step_ + 0.5;
-    return steps > 0 ? std::size_t(std::min(steps, double(kKnots))) : 0;
+    const double steps = (time - begin_) / step_ + 0.5;
+    return steps >= 0 && steps < double(kIntervals + 1) ? std::size_t(steps) : kNone;
   }
 
-  double step_;
-  std::array<Eigen::Matrix3d, kKnots + 1> R_reference_knot_;
-  std::array<Eigen::Matrix3d, kKnots + 1> turn_;  // [1/s] derivative of that
-  std::array<Eigen::Vector3d, kKnots + 1> t_reference_knot_;
-  std::array<Eigen::Vector3d, kKnots + 1> angular_, linear_;  // [rad/s, m/s] in the LiDAR's frame
+  double since_knot(double time, std::size_t i) const { return time - begin_ - step_ * double(i); }
+
+  MotionInScan motion_;
+  double reference_time_, begin_, step_;  // [s]
+  std::array<Eigen::Matrix3d, kIntervals + 1> R_reference_knot_;
+  std::array<Eigen::Matrix3d, kIntervals + 1> turn_;  // [1/s] derivative of that
+  std::array<Eigen::Vector3d, kIntervals + 1> t_reference_knot_;
+  std::array<Eigen::Vector3d, kIntervals + 1> angular_, linear_;  // [rad/s, m/s] in the LiDAR's frame
 };
 
 }  // namespace tilth

@@ -16,7 +16,11 @@ struct ScanVibration {
 
   ScanVibration() { knots.fill(Vector6d::Zero()); }
 
-  /// `share` of the scan that is over, 0 to 1.
+  bool none() const {
+    return std::all_of(knots.begin(), knots.end(), [](const Vector6d& knot) { return knot.isZero(0); });
+  }
+
+  /// `ratio` of the scan that is over, 0 to 1.
   Vector6d at(double ratio) const {
     const double place = std::clamp(ratio, 0.0, 1.0) * kIntervals;
     const auto i = std::size_t(std::min(place, double(kIntervals - 1)));

@@ -41,7 +41,8 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   Pose T_world_middle = motion_.predict(result.stamp);
   MatchedPatches still;
   for (const AlignOptions& align : {rough(options_), options_.align}) {
-    if (options_.deskew) result.motion.velocity = motion_.velocity_to(result.stamp, T_world_middle);
+    if (options_.deskew)
+      result.motion = MotionInScan::steady(motion_.velocity_to(result.stamp, T_world_middle), middle);
     still.patches = deskew(joined(features.edges, features.planes), result.motion, middle);
     result.alignment = register_features(still, T_world_middle, align);
     T_world_middle = result.alignment.T_target_source;

@@ -55,7 +55,7 @@ OdometryResult LegoLoam::register_scan(const Scan& scan) {
       align_scan_to_scan({features.sharp, features.flat, period}, last_scan_, T_start_end_, options_.scan_to_scan);
   T_start_end_ = result.alignment.T_target_source;
   T_odom_end_ = normalized(T_odom_end_ * T_start_end_);
-  result.motion.velocity = cloud.has_times() ? Vector6d(log(T_start_end_) / period) : Vector6d::Zero();
+  if (cloud.has_times()) result.motion = {.velocity = log(T_start_end_) / period, .begin = -period, .duration = period};
   const auto at_end = [&](const PointCloud& points) { return deskew(points, result.motion, period); };
   const FeatureClouds still{at_end(features.less_sharp), at_end(features.less_flat)};
   last_scan_ = {ScanTarget(still.edges), ScanTarget(still.planes)};

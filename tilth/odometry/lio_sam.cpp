@@ -19,9 +19,9 @@ OdometryResult LioSam::register_scan(const Scan& scan) {
   result.counts = {result.filtered.size(), 0, features.edges.size(), features.planes.size()};
 
   begin_stage("deskew");
-  const double instant = options_.pose_at * duration(result.filtered);
+  const double scan_duration = duration(result.filtered), instant = options_.pose_at * scan_duration;
   result.stamp = scan.stamp + instant;
-  if (options_.deskew) result.motion.velocity = motion_.velocity();
+  if (options_.deskew) result.motion = {.velocity = motion_.velocity(), .begin = -instant, .duration = scan_duration};
   features.edges = voxel_downsample(deskew(features.edges, result.motion, instant), options_.edge_voxel);
   features.planes = voxel_downsample(deskew(features.planes, result.motion, instant), options_.plane_voxel);
 

@@ -16,10 +16,9 @@ SurfacePatches evenly(const SurfacePatches& patches, std::size_t most) {
   return chosen;
 }
 
-/// The pose at `pose_at` of a scan of which the alignment tells.
-Pose pose_in_scan(const ContinuousTimeAlignment& alignment, double pose_at, double scan_duration) {
-  return alignment.pose.T_target_source * exp(alignment.motion.vibration.at(pose_at)) *
-         alignment.motion.after((pose_at - 0.5) * scan_duration);
+/// The pose `time` [s] after the middle of a scan of which the alignment tells.
+Pose pose_in_scan(const ContinuousTimeAlignment& alignment, double time) {
+  return alignment.pose.T_target_source * alignment.motion.at(time);
 }
 
 }  // namespace
@@ -49,9 +48,10 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
 
   result.alignment = alignment.pose;
   result.alignment.T_target_source = T_world_map_ * alignment.pose.T_target_source;
-  result.motion = alignment.motion.from((options_.pose_at - 0.5) * scan_duration, options_.pose_at);
+  const double pose_time = (options_.pose_at - 0.5) * scan_duration;
+  result.motion = alignment.motion.from(pose_time);
   result.stamp = scan.stamp + options_.pose_at * scan_duration;
-  result.T_world_lidar = T_world_map_ * pose_in_scan(alignment, options_.pose_at, scan_duration);
+  result.T_world_lidar = T_world_map_ * pose_in_scan(alignment, pose_time);
   const auto flat = std::count_if(patches.begin(), patches.end(), [](const SurfacePatch& p) { return p.flat; });
   result.counts = {cloud.size(), cloud.size() - result.filtered.size(), patches.size() - std::size_t(flat),
                    std::size_t(flat)};
@@ -78,7 +78,8 @@ ContinuousTimeAlignment TilthOdometry::register_patches(const SurfacePatches& pa
     alignment = align_to_map(patches, middle, motion_);
     motion_.velocity = alignment.motion.velocity;
     map_ = PatchMap(options_.map);
-    map_.insert(deskew(first_->patches, {alignment.motion.velocity}, first_->middle), motion_.T_map_last);
+    const MotionInScan motion = MotionInScan::steady(alignment.motion.velocity, first_->middle);
+    map_.insert(deskew(first_->patches, motion, first_->middle), motion_.T_map_last);
   }
   return alignment;
 }
@@ -116,7 +117,7 @@ void TilthOdometry::insert(const SurfacePatches& patches, double middle, const C
 void TilthOdometry::reanchor() {
   first_->motion.vibration = motion_.vibration;
   const ContinuousTimeAlignment first = align_to_map(first_->patches, first_->middle, first_->motion);
-  if (first.pose.converged) T_world_map_ = pose_in_scan(first, options_.pose_at, 2 * first_->middle).inverse();
+  if (first.pose.converged) T_world_map_ = pose_in_scan(first, (2 * options_.pose_at - 1) * first_->middle).inverse();
   first_.reset();
 }
 

@@ -6,11 +6,9 @@
 namespace tilth {
 
 SurfacePatches deskew(SurfacePatches patches, const MotionInScan& motion, double reference_time) {
-  if (patches.empty() || motion.at_rest()) return patches;
-  const auto earlier = [](const SurfacePatch& a, const SurfacePatch& b) { return a.time < b.time; };
-  const float last = std::max_element(patches.begin(), patches.end(), earlier)->time;
-  if (last == 0) return patches;  // no times
-  const ScanMotion moved(motion, reference_time, last);
+  const auto has_time = [](const SurfacePatch& patch) { return patch.time != 0; };
+  if (motion.at_rest() || std::none_of(patches.begin(), patches.end(), has_time)) return patches;
+  const ScanMotion moved(motion, reference_time);
   for (SurfacePatch& patch : patches) {
     const Pose T = moved.at(patch.time);
     patch.mean = T * patch.mean;
@@ -22,7 +20,7 @@ SurfacePatches deskew(SurfacePatches patches, const MotionInScan& motion, double
 
 PointCloud deskew(PointCloud cloud, const MotionInScan& motion, double reference_time) {
   if (!cloud.has_times() || motion.at_rest()) return cloud;
-  const ScanMotion moved(motion, reference_time, *std::max_element(cloud.times.begin(), cloud.times.end()));
+  const ScanMotion moved(motion, reference_time);
   for (std::size_t i = 0; i < cloud.size(); ++i) cloud.points[i] = moved.move(cloud.points[i], cloud.times[i]);
   return cloud;
 }

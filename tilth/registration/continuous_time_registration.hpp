@@ -31,8 +31,8 @@ bool gauss_newton_step(const PatchPairs& pairs, const ScanPrior& prior, const Co
 template <SurfaceLookup Lookup>
 ContinuousTimeAlignment align_continuous_time(const SurfacePatches& patches, double middle, const MotionPrior& prior,
                                               const Lookup& target, const ContinuousTimeOptions& options) {
-  MotionState state{
-      predicted(prior), {prior.velocity}, middle, std::max(options.first_kernel_width, options.kernel_width)};
+  MotionState state{predicted(prior), MotionInScan::steady(prior.velocity, middle), middle,
+                    std::max(options.first_kernel_width, options.kernel_width)};
   ContinuousTimeAlignment result{.pose = {.T_target_source = state.T_map_lidar},
                                  .motion = state.motion,
                                  .covariance = pose_variances(prior, options).asDiagonal()};

@@ -79,10 +79,9 @@ struct PartSums {
 };
 
 // The part of the scan in which a pair with this lever was seen.
-std::size_t part_of(double lever, double middle) {
+std::size_t part_of(double lever, const MotionInScan& motion) {
   constexpr int kParts = ScanVibration::kIntervals;
-  const double ratio = middle > 0 ? 0.5 * (lever / middle + 1) : 0;
-  return std::size_t(std::clamp(int(ratio * kParts), 0, kParts - 1));
+  return std::size_t(std::clamp(int(motion.ratio(lever) * kParts), 0, kParts - 1));
 }
 
 ContinuousTimeSystem system_of(const PartSums& part) {
@@ -101,12 +100,12 @@ SegmentSystems linearize(const PatchPairs& pairs, const MotionState& state) {
   const RobustKernel kernel{Kernel::geman_mcclure, state.kernel_width};
   std::array<PartSums, ScanVibration::kIntervals> sums;
   for (const FlatPair& pair : pairs.flat) {
-    PartSums& part = sums[part_of(pair.lever, state.middle)];
+    PartSums& part = sums[part_of(pair.lever, state.motion)];
     add(pair, kernel, part.sums);
     ++part.matches;
   }
   for (const ShapePair& pair : pairs.shapes) {
-    PartSums& part = sums[part_of(pair.lever, state.middle)];
+    PartSums& part = sums[part_of(pair.lever, state.motion)];
     add(pair, state.T_map_lidar, kernel, part.sums);
     ++part.matches;
   }

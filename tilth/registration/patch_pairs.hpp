@@ -73,13 +73,13 @@ void associate_patches(const SurfacePatches& patches, const MotionState& state, 
   matching.pairs.clear();
   const double max_squared = options.max_distance * options.max_distance;
   const double renew_squared = options.renew_distance * options.renew_distance;
-  const ScanMotion motion(state.motion, state.middle, 2 * state.middle);
+  const ScanMotion motion(state.motion, state.middle);
   const Eigen::Matrix3d R_map_lidar = state.T_map_lidar.linear(), R_lidar_map = R_map_lidar.transpose();
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const SurfacePatch& patch = patches[i];
     const double lever = double(patch.time) - state.middle;
     const Eigen::Vector3d point = motion.move(patch.mean, patch.time), point_in_map = state.T_map_lidar * point;
-    const Eigen::Matrix3d& R_lidar_patch = motion.rotation(patch.time);
+    const Eigen::Matrix3d R_lidar_patch = motion.rotation(patch.time);
     const auto look_up = [&] { return target(point_in_map, R_map_lidar * (R_lidar_patch * patch.normal), patch.flat); };
     const auto* surface = surface_at(point_in_map, renew_squared, matching.matches[i], look_up);
     if (surface == nullptr) continue;

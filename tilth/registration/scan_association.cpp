@@ -73,7 +73,7 @@ std::vector<DuringScan<Pair>> ScanPairs<Pair>::operator()(const Pose& T_start_en
   const bool renew = iterations_ % options_.renew_every == 0;
   const double weight_slope = iterations_ < options_.renew_every ? 0.0 : options_.weight_slope;
   ++iterations_;
-  const ScanMotion motion({log(T_start_end) / scan_.period}, 0.0, scan_.period);
+  const ScanMotion motion({.velocity = log(T_start_end) / scan_.period, .duration = scan_.period}, 0.0);
   const Pose T_end_start = T_start_end.inverse();
   std::vector<DuringScan<Pair>> pairs;
   pairs.reserve(cloud.size());

@@ -115,10 +115,10 @@ VibrationSystem vibration_system(const SegmentSystems& parts, const ContinuousTi
   VibrationSystem system;
   system.H.topLeftCorner<12, 12>() = smooth.H;
   system.b.head<12>() = smooth.b;
-  const double width = 2 * state.middle / kIntervals;
+  const double begin = state.motion.begin, width = state.motion.duration / kIntervals;
   for (int i = 0; i < kIntervals; ++i) {
     const ContinuousTimeSystem& part = parts[std::size_t(i)];
-    const Matrix12d M = line_through(i * width - state.middle, (i + 1) * width - state.middle), HM = part.H * M;
+    const Matrix12d M = line_through(begin + i * width, begin + (i + 1) * width), HM = part.H * M;
     const int at = place_of(i);
     system.H.block<12, 12>(at, at) += M.transpose() * HM;
     system.H.block<12, 12>(0, at) += HM;

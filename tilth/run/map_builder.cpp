@@ -19,8 +19,7 @@ MapBuilder::MapBuilder(const MapOptions& options) : voxel_(options.voxel), max_p
 
 void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const MotionInScan& motion) {
   const bool timed = cloud.has_times();
-  const double duration = timed ? *std::max_element(cloud.times.begin(), cloud.times.end()) : pose_time;
-  const ScanMotion moved(motion, pose_time, duration);
+  const ScanMotion moved(motion, pose_time);
   const bool bright = cloud.intensities.size() == cloud.size();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d p = T_world_lidar * moved.move(cloud.points[i], timed ? double(cloud.times[i]) : pose_time);

@@ -35,7 +35,7 @@ std::vector<std::uint32_t> thinned(std::size_t count, std::uint64_t most) {
 /// The cloud as seen from the pose; its times go, since all points now share the pose's.
 PointCloud seen_at_once(PointCloud cloud, const MeasuredScan& scan) {
   if (cloud.has_times()) {
-    const ScanMotion motion(scan.motion, scan.pose_time, *std::max_element(cloud.times.begin(), cloud.times.end()));
+    const ScanMotion motion(scan.motion, scan.pose_time);
     for (std::size_t i = 0; i < cloud.size(); ++i) cloud.points[i] = motion.move(cloud.points[i], cloud.times[i]);
   }
   cloud.times.clear();
