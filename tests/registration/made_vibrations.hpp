@@ -54,7 +54,7 @@ inline ScanVibration some_vibration(double rotation, double translation, std::mt
 }
 
 /// Tones of 6 to 24 Hz.
-inline ScanVibration vibration(double rotation, double translation, std::mt19937& rng) {
+inline ScanVibration tones(double rotation, double translation, std::mt19937& rng) {
   constexpr int kTones = 12;
   std::uniform_real_distribution<double> frequency(6, 24), phase(0, 2 * std::numbers::pi);
   ScanVibration vibration;

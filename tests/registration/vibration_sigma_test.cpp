@@ -14,7 +14,7 @@ TEST(Vibration, ItsSizeFollowsFromWhatScansShow) {
     EXPECT_LT(vibration_sigma(evidence, options).tilt, options.first_tilt);
     for (std::uint32_t scan = 0; scan < 30; ++scan) {
       const MotionState state = state_at_rest();
-      const SegmentSystems parts = linearize(pairs_of(vibration(rotation, 0, rng), 0.003, scan), state);
+      const SegmentSystems parts = linearize(pairs_of(tones(rotation, 0, rng), 0.003, scan), state);
       const VibrationPrior prior = prior_of(vibration_sigma(evidence, options), vibrating());
       const VibrationSystem system = vibration_system(parts, with_weak_prior(sum_of(parts)), prior, state);
       Vector12d step;

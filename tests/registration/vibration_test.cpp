@@ -65,7 +65,7 @@ TEST(Vibration, TheKnotsOfVibrationsAreCorrelatedAsThePriorSays) {
   KnotMatrix correlation = KnotMatrix::Zero();
   constexpr int kScans = 4000;
   for (int scan = 0; scan < kScans; ++scan) {
-    const ScanVibration vibration = vibration(1, 1, rng);
+    const ScanVibration vibration = tones(1, 1, rng);
     for (int k = 0; k < kKnots; ++k) {
       for (int l = 0; l < kKnots; ++l) {
         correlation(k, l) += vibration.knots[std::size_t(k)].dot(vibration.knots[std::size_t(l)]) / (6 * kScans);
@@ -81,7 +81,7 @@ TEST(Vibration, AKnotIsBetterKnownByThoseBesideIt) {
   constexpr double kNoise = 0.1;
   double apart = 0, together = 0;
   for (std::uint32_t scan = 0; scan < 10; ++scan) {
-    const ScanVibration truth = vibration(2e-3, 1e-3, rng);
+    const ScanVibration truth = tones(2e-3, 1e-3, rng);
     const SegmentSystems parts = linearize(pairs_of(truth, kNoise, scan), state);
     const auto error = [&](const KnotMatrix& precision) {
       VibrationPrior prior = prior_of(kSpread, precision);
