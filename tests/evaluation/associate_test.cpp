@@ -59,6 +59,36 @@ TEST(Associate, InterpolatesWithinTheTruthOnly) {
   EXPECT_NEAR(angle_of(matches.truth[3].T_world_lidar), 1, 1e-15);
 }
 
+TEST(Associate, DoesNotInterpolateOverAGap) {
+  const Trajectory truth = at({0, 0.1, 0.2, 0.3, 3.3, 3.4, 3.5}), estimate = at({0.15, 0.3, 0.35, 1, 3, 3.3, 3.45});
+  const MatchedPoses matches = associate(truth, estimate, {.interpolate = true});
+  EXPECT_EQ(stamps_of(matches.estimate), (Stamps{0.15, 0.3, 3.3, 3.45})) << "at its ends the truth is known";
+  ASSERT_EQ(matches.gaps.size(), 1u);
+  EXPECT_EQ(matches.gaps[0].from, 0.3);
+  EXPECT_EQ(matches.gaps[0].to, 3.3);
+  EXPECT_EQ(matches.gaps[0].left_out, 3u);
+  const MatchedPoses all = associate(truth, estimate, {.interpolate = true, .max_gap = 3});
+  EXPECT_EQ(all.estimate.size(), estimate.size());
+  EXPECT_TRUE(all.gaps.empty());
+}
+
+TEST(Associate, TheLimitOfGapsGoesWithTheRateOfTheTruth) {
+  EXPECT_DOUBLE_EQ(gap_limit(at({0, 1, 2, 3, 10}), {}), 3) << "three median intervals";
+  EXPECT_DOUBLE_EQ(gap_limit(at({0, 0.005, 0.01, 0.015}), {}), 0.2) << "a fifth of a second at least";
+  EXPECT_DOUBLE_EQ(gap_limit(at({0, 1, 2, 3}), {.max_gap = 0.5}), 0.5);
+  EXPECT_EQ(associate(at({0, 1, 2, 5, 6}), at({3.5}), {.interpolate = true}).gaps.size(), 0u)
+      << "three intervals, not more";
+}
+
+TEST(Associate, NothingButGapsSaysSo) {
+  try {
+    associate(at({0, 0.1, 0.2, 9}), at({4, 5}), {.interpolate = true});
+    FAIL() << "should be refused";
+  } catch (const Error& e) {
+    EXPECT_NE(std::string(e.what()).find("outside its gaps"), std::string::npos) << e.what();
+  }
+}
+
 TEST(Associate, NoMatchSaysBothTimeRanges) {
   try {
     associate(at({0, 1, 2}), at({100, 101}), {.max_dt = 0.25});

@@ -55,7 +55,8 @@ def rpe_choices(pair, alignment):
 def read_with_evo(pair, truth_file, estimate_file):
     if pair.kitti:
         return tuple(file_interface.read_kitti_poses_file(str(f)) for f in (truth_file, estimate_file))
-    truth, estimate = (file_interface.read_tum_trajectory_file(str(f)) for f in (truth_file, estimate_file))
+    read = file_interface.read_euroc_csv_trajectory if pair.euroc else file_interface.read_tum_trajectory_file
+    truth, estimate = (read(str(f)) for f in (truth_file, estimate_file))
     method = SyncMethod.interpolation if pair.interpolate else SyncMethod.nearest_time
     return sync.associate_trajectories(
         truth, estimate, sync_method=method, max_diff=pair.max_dt, offset_2=pair.time_offset

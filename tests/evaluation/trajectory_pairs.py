@@ -11,12 +11,23 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 
+EUROC_HEADER = ",".join(
+    ["#timestamp"]
+    + [f"p_RS_R_{axis} [m]" for axis in "xyz"]
+    + [f"q_RS_{axis} []" for axis in "wxyz"]
+    + [f"v_RS_R_{axis} [m s^-1]" for axis in "xyz"]
+    + [f"b_w_RS_S_{axis} [rad s^-1]" for axis in "xyz"]
+    + [f"b_a_RS_S_{axis} [m s^-2]" for axis in "xyz"]
+)
+
+
 @dataclass
 class Pair:
     name: str
     truth: np.ndarray
     estimate: np.ndarray
     kitti: bool = False  # written as 3x4 matrices
+    euroc: bool = False  # written as EuRoC's tables: nanoseconds, commas, a header that puts w first
     digits: int = 17  # written
     max_dt: float = 0.01
     time_offset: float = 0.0
@@ -49,6 +60,11 @@ def circle(n, radius=5.0, turns=2.0, dt=0.1, rise=0.0):
 def line(n, direction, dt=0.1):
     positions = np.outer(np.arange(n) * 0.23, direction)  # no whole number of steps is a whole metre
     return _trajectory(dt * np.arange(n), positions, Rotation.identity(n))
+
+
+def bends(rng, n, metres):
+    """To be added to a trajectory: positions off by so much, stamps and rotations as they are."""
+    return np.column_stack([np.zeros(n), rng.normal(0, metres, (n, 3)), np.zeros((n, 4))])
 
 
 def noisy(rng, trajectory, metres=0.02, radians=0.01):
@@ -104,6 +120,7 @@ def _shapes(rng):
         Pair("line along x", x := line(200, [1, 0, 0]), x * [1, 1.01, 1, 1, 1, 1, 1, 1]),
         Pair("line aslant", diagonal, diagonal * [1, 1.01, 1, 1.01, 1, 1, 1, 1], own_refusals=("se3", "sim3")),
         Pair("line with noise", diagonal, noisy(rng, diagonal), own_refusals=("se3", "sim3")),
+        Pair("nearly a line", l := line(200, [1, 0, 0]) + bends(rng, 200, 0.05), noisy(rng, l, 0.01)),
         Pair("at rest", r := line(100, [0, 0, 0]), r),
         Pair("at rest with noise", r := line(100, [0, 0, 0]), noisy(rng, r, 0.005), metres=0.05),
         Pair("turned by nearly pi", w := walk(rng, 200), moved(noisy(rng, w), [3.1, 0.2, -0.1], [1, 2, 3])),
@@ -137,6 +154,7 @@ def _files(rng):
     return [
         Pair("KITTI files", street, drifting(rng, street), kitti=True, metres=20.0),
         Pair("KITTI files of 7 digits", street, drifting(rng, street), kitti=True, digits=7, metres=20.0),
+        Pair("EuRoC files", w := walk(rng, 300, start=1.4e9), drifting(rng, w), euroc=True),
         Pair("TUM files of 6 digits", w := walk(rng, 300), drifting(rng, w), digits=6),
     ]
 
@@ -170,5 +188,10 @@ def write(path, trajectory, pair):
         matrices = Rotation.from_quat(trajectory[:, 4:]).as_matrix()
         rows = np.concatenate([matrices, trajectory[:, 1:4, None]], axis=2).reshape(-1, 12)
         np.savetxt(path, rows, fmt=f"%.{pair.digits - 1}e")
+    elif pair.euroc:
+        lines = [EUROC_HEADER]
+        for stamp, *position, x, y, z, w in rows.tolist():
+            lines.append(",".join([str(round(stamp * 1e9))] + [repr(v) for v in (*position, w, x, y, z)] + ["0.5"] * 9))
+        Path(path).write_text("\r\n".join(lines) + "\r\n")
     else:
         np.savetxt(path, rows, fmt=["%.9f"] + [f"%.{pair.digits}g"] * 7)

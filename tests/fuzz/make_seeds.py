@@ -215,6 +215,13 @@ def main():
     write("mcap", "chunked.mcap", mcap([cloud_cdr(10), b"12345"], True))
     write("pose_file", "tum.txt", "# t x y z qx qy qz qw\n0.1 1 2 3 0 0 0 1\n0.2 1 2 3 0 0 0.7071068 0.7071068\n")
     write("pose_file", "kitti.txt", "1 0 0 1 0 1 0 2 0 0 1 3\n1 0 0 2 0 1 0 2 0 0 1 3\n")
+    write("pose_file", "euroc.csv", "\ufeff#timestamp, p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], q_RS_x [], q_RS_y [], "
+          "q_RS_z [], v_RS_R_x [m s^-1]\r\n1403636579750000000,1,-2,3,0.5,0.1,0.5,0.7,9\r\n")
+    write("pose_file", "ros.csv", "%time,field.header.stamp,field.header.frame_id,field.pose.position.x,field.pose.position.y,"
+          "field.pose.position.z,field.pose.orientation.x,field.pose.orientation.y,field.pose.orientation.z,"
+          "field.pose.orientation.w\n2,1403636579750000000,,1,-2,3,0.1,0.5,0.7,0.5\n")
+    write("pose_file", "sec_nsec.txt", "sec nsec x [mm] y [mm] z [mm] w x y z\n1 750000000 1000 -2000 3000 1 0 0 0\n")
+    write("pose_file", "names.csv", "t;pos_x;pos_y;pos_z;quat_w;quat_x;quat_y;quat_z\n1;1;2;3;1;0;0;0;\n")
     write("device_packet", "leishen_v3", device_packet())
     write("device_packet", "velodyne_position", position_packet())
     values = " ".join(["1 2 3 0 0 0 1"] + ["1 0 0 0 0 0 1 0 0 0 0 1 0 0 0 1 0 0 1 0 1"])

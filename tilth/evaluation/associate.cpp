@@ -12,6 +12,10 @@
 namespace tilth {
 namespace {
 
+constexpr double kMedianIntervals = 3;  // that a gap may have where nothing else is asked for
+constexpr double kShortGap = 0.2;       // [s] that a gap may have at least: vehicles do little in it
+constexpr double kGapTolerance = 1e-6;  // of the limit: stamps are rounded
+
 /// The pose of `trajectory`, whose stamps get `offset` added, nearest to `stamp`.
 std::optional<std::size_t> nearest_pose(const Trajectory& trajectory, double offset, double stamp, double max_dt) {
   const auto stamp_of = [&](std::size_t i) { return trajectory[i].stamp + offset; };
@@ -51,14 +55,25 @@ Pose between(const StampedPose& a, const StampedPose& b, double stamp) {
   return T;
 }
 
-MatchedPoses match_interpolated(const Trajectory& truth, const Trajectory& estimate, double time_offset) {
+void leave_out(double from, double to, std::vector<TruthGap>& gaps) {
+  if (gaps.empty() || gaps.back().from != from) gaps.push_back({from, to, 0});
+  ++gaps.back().left_out;
+}
+
+MatchedPoses match_interpolated(const Trajectory& truth, const Trajectory& estimate,
+                                const StampAssociationOptions& options) {
+  const double limit = gap_limit(truth, options) * (1 + kGapTolerance);
   MatchedPoses matches;
   for (const StampedPose& pose : estimate) {
-    const double stamp = pose.stamp + time_offset;
+    const double stamp = pose.stamp + options.time_offset;
     if (stamp < truth.front().stamp || stamp > truth.back().stamp) continue;
     const auto before_stamp = [](const StampedPose& p, double t) { return p.stamp < t; };
     const auto after = std::lower_bound(truth.begin(), truth.end() - 1, stamp, before_stamp);
     const auto before = after == truth.begin() ? after : after - 1;
+    if (after->stamp != stamp && after->stamp - before->stamp > limit) {
+      leave_out(before->stamp, after->stamp, matches.gaps);
+      continue;
+    }
     matches.truth.push_back({stamp, between(*before, *after, stamp)});
     matches.estimate.push_back(pose);
   }
@@ -75,10 +90,10 @@ std::string range_of(const char* name, const Trajectory& trajectory) {
 [[noreturn]] void refuse_no_match(const Trajectory& truth, const Trajectory& estimate,
                                   const StampAssociationOptions& options) {
   char bound[120];
-  std::snprintf(
-      bound, sizeof bound,
-      options.interpolate ? "no stamp of the estimate lies within the truth" : "no stamps match within max_dt = %g s",
-      options.max_dt);
+  std::snprintf(bound, sizeof bound,
+                options.interpolate ? "no stamp of the estimate lies within the truth and outside its gaps"
+                                    : "no stamps match within max_dt = %g s",
+                options.max_dt);
   char offset[80];
   std::snprintf(offset, sizeof offset, " (time_offset = %g s added to the estimate's)", options.time_offset);
   throw Error("association",
@@ -87,12 +102,22 @@ std::string range_of(const char* name, const Trajectory& trajectory) {
 
 }  // namespace
 
+double gap_limit(const Trajectory& truth, const StampAssociationOptions& options) {
+  if (options.max_gap > 0) return options.max_gap;
+  std::vector<double> intervals;
+  for (std::size_t i = 1; i < truth.size(); ++i) intervals.push_back(truth[i].stamp - truth[i - 1].stamp);
+  if (intervals.empty()) return kShortGap;
+  const auto middle = intervals.begin() + std::ptrdiff_t(intervals.size() / 2);
+  std::nth_element(intervals.begin(), middle, intervals.end());
+  return std::max(kShortGap, kMedianIntervals * *middle);
+}
+
 MatchedPoses associate(const Trajectory& truth, const Trajectory& estimate, const StampAssociationOptions& options) {
   if (truth.empty()) throw Error("truth", "has no pose");
   if (estimate.empty()) throw Error("estimate", "has no pose");
   MatchedPoses matches;
   if (options.interpolate) {
-    matches = match_interpolated(truth, estimate, options.time_offset);
+    matches = match_interpolated(truth, estimate, options);
   } else if (estimate.size() > truth.size()) {
     std::tie(matches.truth, matches.estimate) = match_nearest(truth, estimate, options.time_offset, options.max_dt);
   } else {

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <tilth/core/options.hpp>
 #include <tilth/evaluation/alignment.hpp>
 #include <tilth/evaluation/ape.hpp>
 #include <tilth/evaluation/kitti_metric.hpp>
+#include <tilth/evaluation/open_roll.hpp>
 #include <tilth/evaluation/rpe.hpp>
 
 namespace tilth {
@@ -17,6 +20,8 @@ struct EvaluationOptions {
   StampAssociationOptions association;
   RpeOptions rpe;
   bool kitti = false;  ///< the KITTI metric too
+  /// Where the LiDAR sits on the body of whose motion the KITTI metric is taken, the camera of KITTI's own truth.
+  Pose T_kitti_lidar = Pose::Identity();
 };
 
 template <class V>
@@ -27,6 +32,8 @@ void visit(EvaluationOptions& o, V&& v) {
   v("time_offset", o.association.time_offset, Bounds{-1e12, 1e12}, "[s] added to the estimate's stamps");
   v("interpolate", o.association.interpolate,
     "[-] truth interpolated at the estimate's stamps, instead of the nearest pose");
+  v("max_gap", o.association.max_gap, Bounds{0, 1e9},
+    "[s] longest gap of the truth that is interpolated over; 0: three of its median intervals, at least 0.2 s");
   v("rpe_delta", o.rpe.pairs.delta, Bounds{1e-9, 1e9},
     "[rpe_unit] distance of the two poses whose motion RPE compares");
   v("rpe_unit", o.rpe.pairs.unit, "[-] of rpe_delta: frames, metres of path, seconds");
@@ -47,6 +54,9 @@ struct Evaluation {
   double start_angle = 0.0;     ///< [rad] likewise
   PoseErrors ape, rpe;
   std::optional<KittiMetric> kitti;
+  std::optional<OpenRoll> open_roll;  ///< that an alignment by positions leaves
+  double gap_limit = 0.0;             ///< [s] in force, where the truth was interpolated
+  std::vector<std::string> notices;   ///< how the files were understood, one sentence each
 };
 
 /// Matches by stamps, aligns, measures. Throws Error where fewer than two poses match, and as its parts do.

@@ -64,6 +64,22 @@ std::vector<std::string_view> words(std::string_view line, std::string_view also
   return found;
 }
 
+std::vector<std::string_view> cells(std::string_view line) {
+  constexpr std::string_view kAround = " \t\r\v\f\"";
+  const bool semicolons = line.find(';') != std::string_view::npos;
+  if (!semicolons && line.find(',') == std::string_view::npos) return words(line);
+  std::vector<std::string_view> found;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(semicolons ? ';' : ',', begin), line.size());
+    std::string_view cell = line.substr(begin, end - begin);
+    cell.remove_prefix(std::min(cell.find_first_not_of(kAround), cell.size()));
+    cell.remove_suffix(cell.size() - std::min(cell.find_last_not_of(kAround) + 1, cell.size()));
+    found.push_back(cell);
+    begin = end + 1;
+  }
+  return found;
+}
+
 std::optional<double> to_double(std::string_view word) {
   return parsed<double>(word);
 }

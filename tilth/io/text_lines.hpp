@@ -29,6 +29,10 @@ class TextLines {
 /// Words between spaces, tabs and any of the characters in `also`.
 std::vector<std::string_view> words(std::string_view line, std::string_view also = "");
 
+/// Cells of a row of a table: between semicolons where it has any, else commas, else white space. Cells without text
+/// count; white space and quotes around them do not.
+std::vector<std::string_view> cells(std::string_view line);
+
 std::optional<double> to_double(std::string_view word);        ///< also "nan", "inf"
 std::optional<std::uint64_t> to_count(std::string_view word);  ///< decimal, no sign
 bool store_number(std::string_view word, FieldType type,

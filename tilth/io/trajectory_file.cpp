@@ -5,6 +5,7 @@
 #include <tilth/core/error.hpp>
 #include <tilth/io/input_file.hpp>
 #include <tilth/io/output_file.hpp>
+#include <tilth/io/pose_table.hpp>
 #include <tilth/io/text_lines.hpp>
 #include <tilth/io/trajectory_file.hpp>
 
@@ -50,21 +51,7 @@ std::string tum_line(const StampedPose& pose) {
 }
 
 Trajectory parse_tum(std::string_view text, const std::string& name) {
-  Trajectory trajectory;
-  TextLines lines(text);
-  while (const auto v = next_numbers(lines, name, 8)) {
-    const Eigen::Quaterniond q((*v)[7], (*v)[4], (*v)[5], (*v)[6]);
-    if (!(q.norm() > 1e-6)) throw Error(lines.where(name), "has a quaternion of length zero");
-    if (!trajectory.empty() && !((*v)[0] > trajectory.back().stamp)) {
-      throw Error(lines.where(name), "has stamp " + stamp_text((*v)[0]) + ", which is not after the line before");
-    }
-    StampedPose pose{(*v)[0], Pose::Identity()};
-    pose.T_world_lidar.linear() = q.normalized().toRotationMatrix();
-    pose.T_world_lidar.translation() = Eigen::Vector3d((*v)[1], (*v)[2], (*v)[3]);
-    trajectory.push_back(pose);
-  }
-  if (trajectory.empty()) throw Error(name, "holds no pose");
-  return trajectory;
+  return parse_pose_table(text, name, tum_columns());
 }
 
 Trajectory read_tum(const std::filesystem::path& path) {
@@ -93,25 +80,6 @@ void write_kitti_poses(const std::filesystem::path& path, const Trajectory& traj
   std::string text;
   for (const StampedPose& pose : trajectory) text += kitti_line(pose.T_world_lidar);
   write_text(path, text);
-}
-
-Pose parse_kitti_calibration(std::string_view text, const std::string& name) {
-  TextLines lines(text);
-  while (const std::optional<std::string_view> line = lines.next()) {
-    const std::size_t colon = line->find(':');
-    if (colon == std::string_view::npos) continue;
-    const std::string_view key = line->substr(0, colon);
-    if (key != "Tr" && key != "Tr_velo_to_cam" && key != "Tr_velo_cam") continue;
-    TextLines entry(line->substr(colon + 1));
-    const auto numbers = next_numbers(entry, lines.where(name), 12);
-    if (!numbers) throw Error(lines.where(name), "has no numbers after " + std::string(key));
-    return pose_of(*numbers, lines.where(name));
-  }
-  throw Error(name, "has no entry Tr: (LiDAR to camera 0)");
-}
-
-Pose read_kitti_calibration(const std::filesystem::path& path) {
-  return parse_kitti_calibration(as_text(read_file(path)), path.string());
 }
 
 }  // namespace tilth

@@ -23,9 +23,4 @@ std::vector<Pose> read_kitti_poses(const std::filesystem::path& path);
 std::vector<Pose> parse_kitti_poses(std::string_view text, const std::string& name);
 void write_kitti_poses(const std::filesystem::path& path, const Trajectory& trajectory);
 
-/// T_camera_lidar: the entry "Tr:" of a KITTI odometry calib.txt. LiDAR poses are T_camera_lidar^-1 * P *
-/// T_camera_lidar.
-Pose read_kitti_calibration(const std::filesystem::path& path);
-Pose parse_kitti_calibration(std::string_view text, const std::string& name);
-
 }  // namespace tilth

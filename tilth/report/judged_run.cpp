@@ -20,6 +20,9 @@ JudgedRun judged(const Evaluation& evaluation) {
     Evaluation aligned = evaluate_by_index(evaluation.matches.truth, evaluation.matches.estimate, options);
     Trajectory truth =
         transform(transform(evaluation.matches.truth, inverse(aligned.alignment)), inverse(evaluation.alignment));
+    aligned.notices = evaluation.notices;
+    aligned.matches.gaps = evaluation.matches.gaps;
+    aligned.gap_limit = evaluation.gap_limit;
     return {std::move(aligned), "SE(3) over all poses", std::move(truth)};
   } catch (const Error&) {  // a straight way leaves the turn about itself open
     return {evaluation, "first poses equal", to_run};

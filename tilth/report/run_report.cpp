@@ -3,6 +3,7 @@
 
 #include <tilth/report/run_report.hpp>
 #include <tilth/report/run_sections.hpp>
+#include <tilth/run/evaluation_report.hpp>
 #include <tilth/run/summary_json.hpp>
 
 namespace tilth {
@@ -60,6 +61,7 @@ Report report_of(const RunRecord& record, std::size_t map_points) {
   report.title = last_part(record.source);
   report.subtitle = "Trajectory and map by the pipeline " + record.pipeline + " of Tilth " + record.version;
   report.facts = facts_of(record, judged_run);
+  if (judged_run) report.notes = notices_of(judged_run->aligned);
   report.map =
       MapView{pack_map(record.map.points(), map_points), {{record.pipeline, record.trajectory, false}}, {}, {}};
   if (record.loops) add_loops(*record.loops, *report.map);

@@ -48,6 +48,16 @@ Json to_json(const KittiMetric& metric) {
   return json;
 }
 
+Json to_json(const std::vector<TruthGap>& gaps) {
+  Json list = Json::array();
+  for (const TruthGap& gap : gaps) list.push_back({{"from", gap.from}, {"to", gap.to}, {"left_out", gap.left_out}});
+  return list;
+}
+
+Json to_json(const OpenRoll& roll) {
+  return {{"off_line", roll.off_line}, {"angle_deg", kDegrees * roll.angle}};
+}
+
 Json to_json(const EvaluationOptions& options) {
   Json json = Json::object();
   for (const OptionInfo& option : describe(options)) json[option.key] = option.value;
@@ -65,6 +75,9 @@ std::string evaluation_json(const Evaluation& evaluation) {
   json["estimate_poses"] = evaluation.estimate_poses;
   json["start"] = {{"distance", evaluation.start_distance}, {"angle_deg", kDegrees * evaluation.start_angle}};
   json["alignment"] = to_json(evaluation.alignment, evaluation.options.align);
+  json["notices"] = notices_of(evaluation);
+  json["truth_gaps"] = to_json(evaluation.matches.gaps);
+  if (evaluation.open_roll) json["open_roll"] = to_json(*evaluation.open_roll);
   json["options"] = to_json(evaluation.options);
   return json.dump(2) + "\n";
 }

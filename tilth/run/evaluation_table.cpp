@@ -63,7 +63,9 @@ std::string hint(const Evaluation& e) {
 }  // namespace
 
 std::string evaluation_table(const Evaluation& evaluation) {
-  std::string text = head(evaluation) + "\n";
+  std::string text;
+  for (const std::string& notice : notices_of(evaluation)) text += notice + "\n";
+  text += head(evaluation) + "\n";
   text += line("%-22s %11s %11s %11s %11s %11s %11s %13s", "", "rmse", "mean", "median", "std", "min", "max", "sse");
   text += rows("APE", evaluation.ape) + rows("RPE", evaluation.rpe);
   if (evaluation.kitti) text += kitti_rows(*evaluation.kitti);
