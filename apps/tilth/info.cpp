@@ -1,12 +1,15 @@
 // tilth info: what a recording holds, how it is understood, and what a newcomer should know about it.
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "commands.hpp"
 #include "console.hpp"
 #include "interrupt.hpp"
 #include "source_flags.hpp"
+#include "truth_flags.hpp"
+#include <tilth/run/truth_file.hpp>
 #include <tilth/sources/open_source.hpp>
 #include <tilth/sources/scan_survey.hpp>
 
@@ -16,7 +19,7 @@ namespace {
 constexpr std::size_t kMostSkipped = 10;
 
 struct InfoArguments {
-  std::string source;
+  std::string source, truth, calibration;
   SourceOptions input;
   std::size_t max_scans = 0;  // zero: all
 };
@@ -40,6 +43,8 @@ std::vector<std::string> skipped_lines(const ScanSource& source) {
 }
 
 int info(const InfoArguments& arguments) {
+  std::optional<TruthFile> truth;
+  if (!arguments.truth.empty()) truth = read_truth(arguments.truth, arguments.calibration);
   const std::unique_ptr<ScanSource> source = open_source(arguments.source, stopped_by_signals(arguments.input));
   remember_interrupts();
   Console console(false);
@@ -53,6 +58,7 @@ int info(const InfoArguments& arguments) {
   console.clear_progress();
   print("What is in " + arguments.source, source->contents());
   print("How it is understood", source->decisions());
+  if (truth) print("The truth", truth_lines(*truth));
   print("What was counted", survey_lines(survey));
   print("Noticed", source->notices());
   print("Left out", skipped_lines(*source));
@@ -68,6 +74,7 @@ void add_info(CLI::App& app, int& exit_code) {
   const auto arguments = std::make_shared<InfoArguments>();
   command->add_option("SOURCE", arguments->source, "as `tilth run` takes it")->required();
   add_source_flags(*command, arguments->input);
+  add_truth_flags(*command, "to look at too", arguments->truth, arguments->calibration);
   command->add_option("--max-scans", arguments->max_scans, "stop after so many scans");
   command->callback([arguments, &exit_code] { exit_code = info(*arguments); });
 }

@@ -12,18 +12,19 @@
 #include "register_scans.hpp"
 #include "run_report.hpp"
 #include "source_flags.hpp"
+#include "truth_flags.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/evaluation/evaluate.hpp>
-#include <tilth/io/pose_file.hpp>
 #include <tilth/report/write_run.hpp>
 #include <tilth/run/run_record.hpp>
+#include <tilth/run/truth_file.hpp>
 #include <tilth/sources/open_source.hpp>
 
 namespace tilth::app {
 namespace {
 
 struct RunArguments {
-  std::string source, out, truth;
+  std::string source, out, truth, calibration;
   OptionArguments options;
   SourceOptions input;
   RecordValues record;
@@ -51,13 +52,12 @@ RunEnd register_all(const RunArguments& arguments, ScanSource& source, Pipeline&
 
 /// Evaluates the run; what prevents that is returned, one sentence each. Whatever the truth's own frame, the run's
 /// world is its first LiDAR pose: so the first poses are made equal.
-std::vector<std::string> judge(const PoseFile& truth, RunRecord& record) {
+std::vector<std::string> judge_by(const TruthFile& truth, RunRecord& record) {
   EvaluationOptions options;
   options.align = Alignment::origin;
-  options.association.interpolate = true;  // truth and poses seldom share their stamps
-  const auto judged = truth.has_stamps ? &evaluate : &evaluate_by_index;
+  options.association.interpolate = truth.poses.has_stamps;  // truth and poses seldom share their stamps
   try {
-    record.evaluation = judged(truth.trajectory, record.trajectory, options);
+    record.evaluation = judge(truth, {record.trajectory, true, {}}, options);
   } catch (const Error& e) {
     return {e.what()};
   }
@@ -71,8 +71,8 @@ int exit_code_of(RunEnd end, bool strict) {
 
 int run(const RunArguments& arguments) {
   Console console(arguments.quiet);
-  std::optional<PoseFile> truth;
-  if (!arguments.truth.empty()) truth = read_pose_file(arguments.truth);
+  std::optional<TruthFile> truth;
+  if (!arguments.truth.empty()) truth = read_truth(arguments.truth, arguments.calibration);
   const PipelineChoice choice = choose_pipeline(arguments.options);
   RunRecord record = new_record(arguments.source, choice, arguments.record);
   add_options(describe_source(arguments.input), describe_source({}), record);
@@ -88,7 +88,7 @@ int run(const RunArguments& arguments) {
     throw Error(arguments.source, "has no scan that can be used; " + reason);
   }
   std::vector<std::string> failures;
-  if (truth) failures = judge(*truth, record);
+  if (truth) failures = judge_by(*truth, record);
   for (std::string& failure : write_run(arguments.out, record)) failures.push_back(std::move(failure));
   report_run(record, arguments.out, console);
   for (const std::string& failure : failures) console.error(failure);
@@ -110,7 +110,7 @@ void add_output_options(CLI::App& command, RunArguments& a) {
   add_option_flags(command, describe(MapOptions{}), a.record.map);
   add_option_flags(command, describe(OutputOptions{}), a.record.output);
   add_option_flags(command, describe(ReportOptions{}), a.record.report);
-  command.add_option("--truth", a.truth, "true trajectory (TUM or KITTI) to judge the run by, first poses made equal");
+  add_truth_flags(command, "to judge the run by, first poses made equal", a.truth, a.calibration);
   command.add_flag("--quiet", a.quiet, "print errors only");
 }
 

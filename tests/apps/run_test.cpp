@@ -104,6 +104,18 @@ TEST_F(Run, JudgesItselfByTheTruth) {
   EXPECT_NE(result("out", "summary.json").find("\"evaluation\""), std::string::npos);
 }
 
+TEST_F(Run, JudgesItselfByPosesWithoutStamps) {
+  write_room(scans_, 12);
+  Trajectory truth;
+  for (int i = 0; i < 12; ++i) truth.push_back({0, Pose(Eigen::Translation3d(3, kStep * i, 1))});
+  write_kitti_poses(folder_ / "truth.txt", truth);
+  const Outcome outcome = run("out", {"--truth", (folder_ / "truth.txt").string()});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(result("out", "summary.json").find("\"matches\": 12"), std::string::npos);
+  const Outcome info = tilth({"info", scans_.string(), "--truth", (folder_ / "truth.txt").string()});
+  EXPECT_NE(info.out.find("12 poses without stamps"), std::string::npos) << info.out << info.err;
+}
+
 TEST_F(Run, WritesWhatItHasWhenInterrupted) {
   write_room(scans_, 400);
   const Program program({"run", scans_.string(), "--out", (folder_ / "out").string()});

@@ -4,7 +4,7 @@ the kit's definition written out below, which also gives the number of segments 
 The definition (A. Geiger et al., CVPR 2012; the kit's readme): with d_k the length of the true path up to pose k, a
 segment of L = 100, 200 ... 800 m begins at every tenth pose i and ends at the first j with d_j > d_i + L, where there is
 one. Its error is E = (E_i^-1 E_j)^-1 (T_i^-1 T_j) of estimate E and truth T: |t(E)| / L, and the angle of E over L. The
-score is the mean over all segments.
+score is the mean over all segments. A truth of the camera is judged by the calibration beside it, at the camera.
 
 Usage: check_kitti.py TILTH
 """
@@ -22,6 +22,10 @@ np, kiss, transform = needs("numpy", "kiss_icp.metrics", "scipy.spatial.transfor
 import trajectory_pairs  # noqa: E402
 
 LENGTHS = range(100, 900, 100)
+T_CAMERA_LIDAR = np.eye(4)
+T_CAMERA_LIDAR[:3, :3] = [[0, -1, 0], [0, 0, -1], [1, 0, 0]]
+T_CAMERA_LIDAR[:3, :3] = transform.Rotation.from_rotvec([0.01, -0.02, 0.03]).as_matrix() @ T_CAMERA_LIDAR[:3, :3]
+T_CAMERA_LIDAR[:3, 3] = [0.1, -0.2, -0.3]
 
 
 def matrices(trajectory):
@@ -52,10 +56,20 @@ def segments(truth, estimate):
     return np.array(rows)
 
 
-def judged(program, pair, folder):
+def in_camera_frame(poses):
+    """KITTI's own truth: of the camera, its world turned alike."""
+    return T_CAMERA_LIDAR @ poses @ np.linalg.inv(T_CAMERA_LIDAR)
+
+
+def judged(program, pair, folder, camera=False):
     files = [folder / "truth.txt", folder / "estimate.txt"]
     trajectory_pairs.write(files[0], pair.truth, pair)
     trajectory_pairs.write(files[1], pair.estimate, pair)
+    (folder / "calib.txt").unlink(missing_ok=True)
+    if camera:
+        np.savetxt(files[0], in_camera_frame(matrices(pair.truth))[:, :3].reshape(-1, 12), fmt="%.17g")
+        numbers = " ".join(repr(float(x)) for x in T_CAMERA_LIDAR[:3].ravel())
+        (folder / "calib.txt").write_text(f"P0: 7 0 6 0 0 7 1 0 0 0 1 0\nTr: {numbers}\n")
     command = [program, "evaluate", *map(str, files), "--kitti", "--json", str(folder / "report.json")]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     return json.loads((folder / "report.json").read_text())["kitti"]
@@ -65,8 +79,10 @@ def close(what, ours, theirs, relative):
     assert abs(ours - theirs) <= relative * abs(theirs) + 1e-12, f"{what}: {ours!r}, the other {theirs!r}"
 
 
-def check(program, pair, folder):
-    ours, truth, estimate = judged(program, pair, folder), matrices(pair.truth), matrices(pair.estimate)
+def check(program, pair, folder, camera=False):
+    ours, truth, estimate = judged(program, pair, folder, camera), matrices(pair.truth), matrices(pair.estimate)
+    if camera:  # as the benchmark measures: at the camera
+        truth, estimate = in_camera_frame(truth), in_camera_frame(estimate)
     rows = segments(truth, estimate)
     assert ours["segments"] == len(rows), f"{pair.name}: {ours['segments']} segments, not {len(rows)}"
     close(pair.name, ours["translation_percent"], 100 * rows[:, 1].mean(), 1e-9)
@@ -99,4 +115,5 @@ def pairs():
 
 with tempfile.TemporaryDirectory() as name:
     count = [check(sys.argv[1], pair, pathlib.Path(name)) for pair in pairs()]
+    count.append(check(sys.argv[1], pairs()[0], pathlib.Path(name), camera=True))
 print(f"{len(count)} pairs, {sum(count)} segments agree with the definition and with KISS-ICP")

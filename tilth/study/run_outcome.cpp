@@ -8,6 +8,7 @@
 #include <tilth/io/input_file.hpp>
 #include <tilth/io/pose_file.hpp>
 #include <tilth/run/scan_columns.hpp>
+#include <tilth/run/truth_file.hpp>
 #include <tilth/study/run_outcome.hpp>
 
 namespace tilth {
@@ -16,12 +17,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kDegrees = 180 / std::numbers::pi;  // in a radian
-
-Evaluation judged(const PoseFile& truth, const PoseFile& estimate, EvaluationOptions options) {
-  const bool stamps = truth.has_stamps && estimate.has_stamps;
-  options.association.interpolate = options.association.interpolate && stamps;
-  return (stamps ? evaluate : evaluate_by_index)(truth.trajectory, estimate.trajectory, options);
-}
 
 /// [%] of the path between the last poses, the first ones made equal.
 double end_drift_of(const MatchedPoses& matches, double path) {
@@ -110,7 +105,10 @@ RunOutcome judge_run(const RunPlace& place, const RunLabel& label, const Judging
     const PoseFile estimate = read_pose_file(place.folder / "trajectory.tum");
     outcome.scans = estimate.trajectory.size();
     if (place.expected > outcome.scans) outcome.lost = place.expected - outcome.scans;
-    const Evaluation evaluation = judged(read_pose_file(place.truth), estimate, options.evaluation);
+    const TruthFile truth = read_truth(place.truth);
+    EvaluationOptions evaluating = options.evaluation;
+    evaluating.association.interpolate = evaluating.association.interpolate && truth.poses.has_stamps;
+    const Evaluation evaluation = judge(truth, estimate, evaluating);
     take_errors(evaluation, outcome);
     outcome.consistency =
         consistency_of(variances_of(place.folder / "scans.csv"), estimate.trajectory, evaluation.matches);
