@@ -2,7 +2,9 @@
 // A callback throws tilth::Error on bad input; what it returns through `exit_code` is the program's.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace tilth::app {
 

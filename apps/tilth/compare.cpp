@@ -3,6 +3,8 @@
 #include <memory>
 #include <optional>
 
+#include <CLI/CLI.hpp>
+
 #include "commands.hpp"
 #include "compare_peers.hpp"
 #include "number_list.hpp"

@@ -8,10 +8,10 @@
 #include "child_process.hpp"
 #include "file_lock.hpp"
 #include "interrupt.hpp"
-#include "stopwatch.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/io/input_file.hpp>
 #include <tilth/io/output_file.hpp>
+#include <tilth/run/stopwatch.hpp>
 
 namespace tilth::app {
 namespace {

@@ -1,6 +1,8 @@
 // tilth job: does jobs that compare or sweep have planned, for engines that spread them over machines.
 #include <memory>
 
+#include <CLI/CLI.hpp>
+
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "job_queue.hpp"

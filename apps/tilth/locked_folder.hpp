@@ -14,7 +14,9 @@ class LockedFolder {
  public:
   /// As prepare_output_folder(), and locks the folder by its file .lock. Throws Error naming that where another has it.
   LockedFolder(const std::filesystem::path& folder, const std::vector<std::string>& files)
-      : lock_(prepared(folder, files) / ".lock", WhenTaken::refuse) {}
+      : folder_(prepared(folder, files)), lock_(folder_ / ".lock", WhenTaken::refuse) {}
+
+  std::filesystem::path operator/(const std::string& file) const { return folder_ / file; }
 
  private:
   static const std::filesystem::path& prepared(const std::filesystem::path& folder,
@@ -23,6 +25,7 @@ class LockedFolder {
     return folder;
   }
 
+  std::filesystem::path folder_;
   FileLock lock_;
 };
 

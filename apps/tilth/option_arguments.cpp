@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include <CLI/CLI.hpp>
+
 #include <tilth/core/error.hpp>
 #include <tilth/io/config_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>

@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <tilth/core/options.hpp>
+
+namespace CLI {
+class App;
+}
 
 namespace tilth::app {
 

@@ -3,9 +3,11 @@
 
 #include <span>
 
-#include <CLI/CLI.hpp>
-
 #include <tilth/core/options.hpp>
+
+namespace CLI {
+class App;
+}
 
 namespace tilth::app {
 

@@ -1,6 +1,8 @@
 // tilth pipelines: what can be named by --pipeline.
 #include <cstdio>
 
+#include <CLI/CLI.hpp>
+
 #include "commands.hpp"
 #include <tilth/odometry/make_odometry.hpp>
 

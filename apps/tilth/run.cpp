@@ -2,53 +2,27 @@
 #include <memory>
 #include <optional>
 
+#include <CLI/CLI.hpp>
+
 #include "commands.hpp"
 #include "interrupt.hpp"
 #include "locked_folder.hpp"
-#include "loop_closing.hpp"
-#include "option_arguments.hpp"
-#include "option_flags.hpp"
-#include "process.hpp"
-#include "register_scans.hpp"
-#include "run_report.hpp"
+#include "run_session.hpp"
 #include "source_flags.hpp"
 #include "truth_flags.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/evaluation/evaluate.hpp>
-#include <tilth/report/write_run.hpp>
-#include <tilth/run/run_record.hpp>
 #include <tilth/run/truth_file.hpp>
 #include <tilth/sources/open_source.hpp>
 
 namespace tilth::app {
 namespace {
 
-struct RunArguments {
-  std::string source, out, truth, calibration;
-  OptionArguments options;
+struct RecordingArguments {
+  RunArguments run;
+  std::string truth, calibration;
   SourceOptions input;
-  RecordValues record;
-  LoopOptions loop;
-  bool loop_closure = false;
-  int threads = 0;  // zero: as many as there are processors
-  bool quiet = false;
 };
-
-/// Registers what `source` has, whatever the end.
-RunEnd register_all(const RunArguments& arguments, ScanSource& source, Pipeline& pipeline, RunRecord& record,
-                    Console& console) {
-  remember_interrupts();
-  const Stopwatch stopwatch;
-  RegistrationLoop loop(source, *pipeline.odometry, record, console);
-  const RunEnd end = with_threads(arguments.threads, [&] { return loop.run(arguments.loop); });
-  record.notices = source.notices();
-  for (const std::string& notice : record.notices) console.note(notice);
-  if (pipeline.slam != nullptr) close_loops(*pipeline.slam, record);
-  record.ended = to_text(end);
-  record.wall_seconds = stopwatch.seconds();
-  record.peak_megabytes = peak_megabytes();
-  return end;
-}
 
 /// Evaluates the run; what prevents that is returned, one sentence each. Whatever the truth's own frame, the run's
 /// world is its first LiDAR pose: so the first poses are made equal.
@@ -69,64 +43,58 @@ int exit_code_of(RunEnd end, bool strict) {
   return end == RunEnd::bad_record || (end == RunEnd::input_broken && strict) ? 1 : 0;
 }
 
-int run(const RunArguments& arguments) {
-  Console console(arguments.quiet);
+int run(const RecordingArguments& a) {
+  Console console(a.run.quiet);
   std::optional<TruthFile> truth;
-  if (!arguments.truth.empty()) truth = read_truth(arguments.truth, arguments.calibration);
-  const PipelineChoice choice = choose_pipeline(arguments.options);
-  RunRecord record = new_record(arguments.source, choice, arguments.record);
-  add_options(describe_source(arguments.input), describe_source({}), record);
-  const SlamOptions slam = with<SlamOptions>(choice.loop);  // refused where wrong, also where not used
-  if (arguments.loop_closure) add_options(describe(slam), describe(SlamOptions{}), record);
-  Pipeline pipeline = make_pipeline(choice, arguments.loop_closure);
-  const std::unique_ptr<ScanSource> source = open_source(arguments.source, stopped_by_signals(arguments.input));
-  const LockedFolder folder(arguments.out, run_files(record.output, arguments.loop_closure));
-  begin_mcap(arguments.out, record);
-  const RunEnd end = register_all(arguments, *source, pipeline, record, console);
+  if (!a.truth.empty()) truth = read_truth(a.truth, a.calibration);
+  PlannedRun plan = plan_run(a.run, describe_source(a.input), describe_source({}));
+  Session session(open_source(a.run.source, stopped_by_signals(a.input)), std::move(plan.pipeline),
+                  std::move(plan.record));
+  session.observe(console);
+  const LockedFolder folder(a.run.out, files_of(plan.outputs));
+  for (const RunOutput& output : plan.outputs) session.add(output.open(folder / output.file));
+  remember_interrupts();
+  const RunEnd end = run_session(session, a.run);
+  const RunRecord& record = session.record();
   if (record.trajectory.empty() && end != RunEnd::interrupted) {
     const std::string reason = record.skipped.empty() ? "it is empty" : record.skipped.front().what;
-    throw Error(arguments.source, "has no scan that can be used; " + reason);
+    throw Error(a.run.source, "has no scan that can be used; " + reason);
   }
   std::vector<std::string> failures;
-  if (truth) failures = judge_by(*truth, record);
-  for (std::string& failure : write_run(arguments.out, record)) failures.push_back(std::move(failure));
-  report_run(record, arguments.out, console);
-  for (const std::string& failure : failures) console.error(failure);
-  return failures.empty() ? exit_code_of(end, arguments.loop.strict) : 1;
+  if (truth) failures = judge_by(*truth, session.record());
+  const bool whole = end_session(session, a.run, plan, console, std::move(failures));
+  return whole ? exit_code_of(end, a.run.session.strict) : 1;
 }
 
-void add_input_options(CLI::App& command, RunArguments& a) {
+void add_input_options(CLI::App& command, RecordingArguments& a) {
   command
-      .add_option("SOURCE", a.source,
+      .add_option("SOURCE", a.run.source,
                   "folder of scans, KITTI sequence, bag, network capture, udp://:PORT or sim://SCENE")
       ->required();
   add_source_flags(command, a.input);
-  command.add_option("--max-scans", a.loop.max_scans, "stop after so many scans");
-  command.add_flag("--strict", a.loop.strict, "a record that cannot be used ends the run with an error");
+  command.add_option("--max-scans", a.run.session.max_scans, "stop after so many scans");
+  command.add_flag("--strict", a.run.session.strict, "a record that cannot be used ends the run with an error");
 }
 
-void add_output_options(CLI::App& command, RunArguments& a) {
-  command.add_option("--out", a.out, "folder for the results; made where missing")->required();
-  add_option_flags(command, describe(MapOptions{}), a.record.map);
-  add_option_flags(command, describe(OutputOptions{}), a.record.output);
-  add_option_flags(command, describe(ReportOptions{}), a.record.report);
+void add_output_options(CLI::App& command, RecordingArguments& a) {
+  command.add_option("--out", a.run.out, "folder for the results; made where missing")->required();
+  add_output_flags(command, a.run);
   add_truth_flags(command, "to judge the run by, first poses made equal", a.truth, a.calibration);
-  command.add_flag("--quiet", a.quiet, "print errors only");
+  command.add_flag("--quiet", a.run.quiet, "print errors only");
 }
 
 }  // namespace
 
 void add_run(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "Turn a recording into a trajectory, a map and figures");
-  const auto arguments = std::make_shared<RunArguments>();
-  add_input_options(*command, *arguments);
-  command->add_option("--pipeline", arguments->options.pipeline, "see `tilth pipelines`; default: the first of them");
-  command->add_flag("--loop-closure", arguments->loop_closure, "find places seen before and correct the way (loop.*)");
-  add_setting_arguments(*command, arguments->options);
-  add_output_options(*command, *arguments);
-  command->add_option("--threads", arguments->threads, "0: as many as there are processors")
-      ->check(CLI::Range(0, 1024));
-  command->callback([arguments, &exit_code] { exit_code = run(*arguments); });
+  const auto a = std::make_shared<RecordingArguments>();
+  add_input_options(*command, *a);
+  command->add_option("--pipeline", a->run.options.pipeline, "see `tilth pipelines`; default: the first of them");
+  command->add_flag("--loop-closure", a->run.loop_closure, "find places seen before and correct the way (loop.*)");
+  add_setting_arguments(*command, a->run.options);
+  add_output_options(*command, *a);
+  add_threads_flag(*command, a->run);
+  command->callback([a, &exit_code] { exit_code = run(*a); });
 }
 
 }  // namespace tilth::app

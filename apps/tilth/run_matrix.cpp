@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include <CLI/CLI.hpp>
+
 #include "interrupt.hpp"
 #include "job_queue.hpp"
 #include "option_arguments.hpp"

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "console.hpp"
 #include "job.hpp"
 #include <tilth/core/options.hpp>
 #include <tilth/study/run_outcome.hpp>
+
+namespace CLI {
+class App;
+}
 
 namespace tilth::app {
 

@@ -1,5 +1,7 @@
 #include "source_flags.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include "option_flags.hpp"
 #include <tilth/sensor/scan_decoder.hpp>
 #include <tilth/sources/packet_source.hpp>

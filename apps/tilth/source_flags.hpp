@@ -3,10 +3,12 @@
 
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <tilth/core/options.hpp>
 #include <tilth/sources/open_source.hpp>
+
+namespace CLI {
+class App;
+}
 
 namespace tilth::app {
 

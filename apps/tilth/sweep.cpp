@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include <CLI/CLI.hpp>
+
 #include "commands.hpp"
 #include "number_list.hpp"
 #include "option_arguments.hpp"

@@ -1,5 +1,7 @@
 #include "truth_flags.hpp"
 
+#include <CLI/CLI.hpp>
+
 namespace tilth::app {
 
 void add_calibration_flag(CLI::App& command, std::string& calibration) {

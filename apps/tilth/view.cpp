@@ -7,6 +7,8 @@
 #include <memory>
 #include <thread>
 
+#include <CLI/CLI.hpp>
+
 #include "commands.hpp"
 #include <tilth/core/error.hpp>
 

@@ -1,2 +1,4 @@
 # JSON is written inside the room only.
 target_link_libraries(tilth_run PRIVATE nlohmann_json::nlohmann_json)
+set_source_files_properties(${PROJECT_SOURCE_DIR}/tilth/run/new_record.cpp PROPERTIES COMPILE_DEFINITIONS
+                                                                                       TILTH_VERSION="${PROJECT_VERSION}")

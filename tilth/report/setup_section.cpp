@@ -38,7 +38,7 @@ Table decisions_table(const RunRecord& record) {
 
 Table skipped_table(const RunRecord& record) {
   Table table{"Records without a pose", {"number", "where", "why"}, {}, false};
-  for (const SkippedRecord& s : record.skipped) {
+  for (const SkippedScan& s : record.skipped) {
     if (table.rows.size() == kMostSkipped) break;
     table.rows.push_back({std::to_string(s.index), s.where, s.what});
   }

@@ -62,7 +62,7 @@ Json options(const RunRecord& record) {
 
 Json skipped(const RunRecord& record) {
   Json list = Json::array();
-  for (const SkippedRecord& s : record.skipped)
+  for (const SkippedScan& s : record.skipped)
     list.push_back({{"index", s.index}, {"where", s.where}, {"what", s.what}});
   return list;
 }

@@ -1,4 +1,4 @@
-// This process: the threads it may use, the memory it used.
+// How many threads this process may use.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,6 @@
 #include <tbb/task_arena.h>
 
 namespace tilth::app {
-
-double peak_megabytes();  ///< [MB] resident
 
 /// Calls f with at most `threads` threads, also where that is more than there are processors; 0: as many as there are.
 template <class F>

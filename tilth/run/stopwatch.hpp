@@ -4,7 +4,7 @@
 #include <chrono>
 #include <ctime>
 
-namespace tilth::app {
+namespace tilth {
 
 class Stopwatch {
  public:
@@ -23,4 +23,4 @@ inline double thread_cpu_milliseconds() {
   return 1e3 * double(time.tv_sec) + 1e-6 * double(time.tv_nsec);
 }
 
-}  // namespace tilth::app
+}  // namespace tilth

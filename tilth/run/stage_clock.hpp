@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "stopwatch.hpp"
+#include <tilth/run/stopwatch.hpp>
 
-namespace tilth::app {
+namespace tilth {
 
 class StageClock {
  public:
@@ -28,4 +28,4 @@ class StageClock {
   Stopwatch scan_, stage_;
 };
 
-}  // namespace tilth::app
+}  // namespace tilth

@@ -1,8 +1,8 @@
-#include "stage_clock.hpp"
-
 #include <algorithm>
 
-namespace tilth::app {
+#include <tilth/run/stage_clock.hpp>
+
+namespace tilth {
 
 void StageClock::start() {
   std::fill(milliseconds_.begin(), milliseconds_.end(), 0.0);
@@ -30,4 +30,4 @@ void StageClock::end_stage() {
   running_.reset();
 }
 
-}  // namespace tilth::app
+}  // namespace tilth

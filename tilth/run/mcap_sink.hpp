@@ -7,41 +7,30 @@
 #include <memory>
 #include <string>
 
-#include <tilth/core/point_cloud.hpp>
-#include <tilth/core/scan_motion.hpp>
-#include <tilth/core/se3.hpp>
-#include <tilth/core/trajectory.hpp>
+#include <tilth/run/sink.hpp>
 
 namespace tilth {
 
 class McapWriter;
-struct RunRecord;
 
-/// When and how a sensor moved that measured a scan, as MapBuilder::add() takes it.
-struct MeasuredScan {
-  double stamp = 0.0;      ///< [s] of the pose
-  double pose_time = 0.0;  ///< [s] of the pose, on the clock of the points' times
-  MotionInScan motion;     ///< about that instant
-};
-
-class RunMcap {
+class McapSink final : public Sink {
  public:
   /// `points` of a scan are written at most; 0: scans are not. Throws Error where the file cannot be made.
-  RunMcap(const std::filesystem::path& path, std::uint64_t points);
-  ~RunMcap();
-  RunMcap(const RunMcap&) = delete;
-  RunMcap& operator=(const RunMcap&) = delete;
+  McapSink(const std::filesystem::path& path, std::uint64_t points);
+  ~McapSink() override;
+  McapSink(const McapSink&) = delete;
+  McapSink& operator=(const McapSink&) = delete;
 
   /// The scan as the sensor would have seen it all at once at the stamp of its pose, in its own frame. What fails is
   /// kept for finish().
-  void add_scan(const PointCloud& cloud, const MeasuredScan& scan);
+  void take(const Scan& scan, const OdometryResult& result, const RunRecord& record) override;
 
   /// Odometry and transform of each pose, path, map; only then does the file stand under its name. Throws Error where
   /// it cannot be written in full.
-  void finish(const RunRecord& record);
+  void finish(const RunRecord& record) override;
 
  private:
-  void write_scan(const PointCloud& cloud, const MeasuredScan& scan);
+  void write_scan(const Scan& scan, const OdometryResult& result);
 
   std::unique_ptr<McapWriter> file_;
   std::uint64_t points_;

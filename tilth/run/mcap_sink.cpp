@@ -9,7 +9,8 @@
 #include <tilth/messages/point_cloud2.hpp>
 #include <tilth/messages/pose_message.hpp>
 #include <tilth/messages/ros2_definitions.hpp>
-#include <tilth/run/run_mcap.hpp>
+#include <tilth/odometry/odometry.hpp>
+#include <tilth/run/mcap_sink.hpp>
 #include <tilth/run/run_record.hpp>
 
 namespace tilth {
@@ -32,10 +33,10 @@ std::vector<std::uint32_t> thinned(std::size_t count, std::uint64_t most) {
   return indices;
 }
 
-/// The cloud as seen from the pose; its times go, since all points now share the pose's.
-PointCloud seen_at_once(PointCloud cloud, const MeasuredScan& scan) {
+/// The cloud as seen from the pose of `result`; its times go, since all points now share the pose's.
+PointCloud seen_at_once(PointCloud cloud, const Scan& scan, const OdometryResult& result) {
   if (cloud.has_times()) {
-    const ScanMotion motion(scan.motion, scan.pose_time);
+    const ScanMotion motion(result.motion, result.stamp - scan.stamp);  // on the clock of the points' times
     for (std::size_t i = 0; i < cloud.size(); ++i) cloud.points[i] = motion.move(cloud.points[i], cloud.times[i]);
   }
   cloud.times.clear();
@@ -44,7 +45,7 @@ PointCloud seen_at_once(PointCloud cloud, const MeasuredScan& scan) {
 
 }  // namespace
 
-RunMcap::RunMcap(const std::filesystem::path& path, std::uint64_t points)
+McapSink::McapSink(const std::filesystem::path& path, std::uint64_t points)
     : file_(std::make_unique<McapWriter>(path)),
       points_(points),
       path_topic_(add_topic(*file_, "/path", path_type())),
@@ -53,24 +54,25 @@ RunMcap::RunMcap(const std::filesystem::path& path, std::uint64_t points)
       odometry_topic_(add_topic(*file_, "/odometry", odometry_type())),
       scan_topic_(add_topic(*file_, "/scan", point_cloud2_type())) {}
 
-RunMcap::~RunMcap() = default;
+McapSink::~McapSink() = default;
 
-void RunMcap::add_scan(const PointCloud& cloud, const MeasuredScan& scan) {
-  if (points_ == 0 || cloud.empty() || !problem_.empty()) return;
+void McapSink::take(const Scan& scan, const OdometryResult& result, const RunRecord&) {
+  if (points_ == 0 || result.filtered.empty() || !problem_.empty()) return;
   try {
-    write_scan(cloud, scan);
+    write_scan(scan, result);
   } catch (const std::exception& error) {
     problem_ = error.what();
   }
 }
 
-void RunMcap::write_scan(const PointCloud& cloud, const MeasuredScan& scan) {
-  const PointCloud seen = seen_at_once(select(cloud, thinned(cloud.size(), points_)), scan);
-  const PointCloud2 message{scan.stamp, Frames{}.lidar, to_records(seen)};
-  file_->write(scan_topic_, nanoseconds(scan.stamp), serialize_point_cloud2(message, Serialization::cdr));
+void McapSink::write_scan(const Scan& scan, const OdometryResult& result) {
+  const PointCloud& cloud = result.filtered;
+  const PointCloud seen = seen_at_once(select(cloud, thinned(cloud.size(), points_)), scan, result);
+  const PointCloud2 message{result.stamp, Frames{}.lidar, to_records(seen)};
+  file_->write(scan_topic_, nanoseconds(result.stamp), serialize_point_cloud2(message, Serialization::cdr));
 }
 
-void RunMcap::finish(const RunRecord& record) {
+void McapSink::finish(const RunRecord& record) {
   if (!problem_.empty()) throw Error("run.mcap", problem_);
   const Trajectory& trajectory = record.trajectory;
   const Frames frames;
@@ -86,10 +88,6 @@ void RunMcap::finish(const RunRecord& record) {
     file_->write(odometry_topic_, stamp, serialize_odometry(trajectory[i], variances, frames));
   }
   file_->close();
-}
-
-void begin_mcap(const std::filesystem::path& folder, RunRecord& record) {
-  if (record.output.mcap) record.mcap = std::make_shared<RunMcap>(folder / "run.mcap", record.output.mcap_points);
 }
 
 }  // namespace tilth

@@ -1,12 +1,7 @@
-#include "run_report.hpp"
+#include "run_console.hpp"
 
-#include <algorithm>
 #include <cstdio>
-#include <iterator>
 
-#include "machine.hpp"
-#include <tilth/odometry/make_odometry.hpp>
-#include <tilth/report/write_run.hpp>
 #include <tilth/run/evaluation_report.hpp>
 #include <tilth/run/summary_json.hpp>
 
@@ -46,26 +41,8 @@ std::string speed_line(const RunFigures& figures, double megabytes) {
 
 }  // namespace
 
-RunRecord new_record(const std::string& source, const PipelineChoice& choice, const RecordValues& values) {
-  RunRecord record;
-  record.version = TILTH_VERSION;
-  record.source = source;
-  record.pipeline = choice.name;
-  record.machine = machine_name();
-  record.options = describe_odometry(choice.name, choice.values);
-  record.defaults = describe_odometry(choice.name, {});
-  record.map = MapBuilder(with<MapOptions>(values.map));
-  record.output = with<OutputOptions>(values.output);
-  record.report = with<ReportOptions>(values.report);
-  return record;
-}
-
-void add_options(std::vector<OptionInfo> options, std::vector<OptionInfo> defaults, RunRecord& record) {
-  std::move(options.begin(), options.end(), std::back_inserter(record.options));
-  std::move(defaults.begin(), defaults.end(), std::back_inserter(record.defaults));
-}
-
-void report_run(const RunRecord& record, const std::string& folder, Console& console) {
+void report_run(const RunRecord& record, const std::string& folder, const std::vector<std::string>& files,
+                Console& console) {
   const RunFigures figures = figures_of(record);
   console.note("ended: " + record.ended);
   console.note(counts_line(record));
@@ -73,9 +50,9 @@ void report_run(const RunRecord& record, const std::string& folder, Console& con
   if (record.loops) console.note(loops_line(*record.loops));
   console.note(speed_line(figures, record.peak_megabytes));
   if (record.evaluation) console.note(evaluation_table(*record.evaluation));
-  std::string files = "in " + folder + ":";
-  for (const std::string& file : run_files(record.output, record.loops.has_value())) files += " " + file;
-  console.note(files);
+  std::string names = "in " + folder + ":";
+  for (const std::string& file : files) names += " " + file;
+  console.note(names);
 }
 
 }  // namespace tilth::app

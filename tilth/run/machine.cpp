@@ -1,12 +1,13 @@
-#include "machine.hpp"
-
 #include <cmath>
 #include <fstream>
+#include <sys/resource.h>
 #include <sys/utsname.h>
 #include <thread>
 #include <unistd.h>
 
-namespace tilth::app {
+#include <tilth/run/machine.hpp>
+
+namespace tilth {
 namespace {
 
 /// The processor's own name, empty where the system does not tell it.
@@ -37,4 +38,10 @@ std::string machine_name() {
   return name;
 }
 
-}  // namespace tilth::app
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) * 1024e-6;
+}
+
+}  // namespace tilth

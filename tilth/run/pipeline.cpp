@@ -1,9 +1,7 @@
-#include "loop_closing.hpp"
+#include <tilth/run/pipeline.hpp>
+#include <tilth/run/stopwatch.hpp>
 
-#include "stopwatch.hpp"
-#include <tilth/odometry/make_odometry.hpp>
-
-namespace tilth::app {
+namespace tilth {
 namespace {
 
 template <class E>
@@ -34,13 +32,10 @@ std::vector<Pose> corrections(const Trajectory& before, const Trajectory& after)
 
 }  // namespace
 
-Pipeline make_pipeline(const PipelineChoice& choice, bool loop_closure) {
-  Pipeline pipeline{make_odometry(choice.name, choice.values)};
-  if (!loop_closure) return pipeline;
-  auto around = std::make_unique<Slam>(std::move(pipeline.odometry), with<SlamOptions>(choice.loop));
-  pipeline.slam = around.get();
-  pipeline.odometry = std::move(around);
-  return pipeline;
+Pipeline with_loop_closure(std::unique_ptr<Odometry> odometry, const SlamOptions& options) {
+  auto around = std::make_unique<Slam>(std::move(odometry), options);
+  Slam* const slam = around.get();
+  return {std::move(around), slam};
 }
 
 void close_loops(Slam& slam, RunRecord& record) {
@@ -57,4 +52,4 @@ void close_loops(Slam& slam, RunRecord& record) {
   record.loops = std::move(loops);
 }
 
-}  // namespace tilth::app
+}  // namespace tilth

@@ -7,7 +7,7 @@
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/trajectory_file.hpp>
-#include <tilth/run/run_journal.hpp>
+#include <tilth/run/journal_sink.hpp>
 #include <tilth/run/summary_json.hpp>
 
 namespace tilth {
@@ -45,12 +45,6 @@ std::string first_line(const fs::path& path) {
   return std::string(text.substr(0, text.find('\n') + 1));
 }
 
-const fs::path& emptied(const fs::path& folder, std::span<const std::string> files) {
-  for (const std::string& file : files) fs::remove(folder / file);
-  fs::remove(folder / kMap);
-  return folder;
-}
-
 }  // namespace
 
 bool holds_run(const fs::path& folder) {
@@ -65,12 +59,37 @@ std::vector<std::string> continue_run(const fs::path& folder, RunRecord& record)
   return {};
 }
 
-RunJournal::RunJournal(const fs::path& folder, std::span<const std::string> files, bool anew)
-    : folder_(anew ? emptied(folder, files) : folder), poses_(folder / kPoses, anew), rows_(folder / kRows, anew) {}
+void remove_run(const fs::path& folder, std::span<const std::string> files) {
+  for (const std::string& file : files) fs::remove(folder / file);
+  for (const std::string& file : journal_files(false)) fs::remove(folder / file);
+}
 
-RunJournal::~RunJournal() = default;
+std::set<std::string> journal_files(bool loop_closure) {
+  std::set<std::string> files{kRows, kMap};
+  if (!loop_closure) files.insert(kPoses);
+  return files;
+}
 
-void RunJournal::append(const RunRecord& record) {
+JournalSink::JournalSink(const fs::path& folder, double checkpoint_seconds, RunObserver& observer)
+    : folder_(folder),
+      checkpoint_seconds_(checkpoint_seconds),
+      observer_(observer),
+      poses_(folder / kPoses, false),
+      rows_(folder / kRows, false) {}
+
+JournalSink::~JournalSink() = default;
+
+void JournalSink::take(const Scan&, const OdometryResult&, const RunRecord& record) {
+  append(record);
+  if (since_checkpoint_.seconds() < checkpoint_seconds_) return;
+  since_checkpoint_ = Stopwatch();
+  const std::string problem = checkpoint(record);
+  if (!problem.empty()) observer_.warn("the last checkpoint could not be written: " + problem);
+  observer_.note(std::to_string(record.trajectory.size()) + " scans registered, " + std::to_string(record.map.size()) +
+                 " points in the map");
+}
+
+void JournalSink::append(const RunRecord& record) {
   const std::size_t index = record.trajectory.size() - 1;
   const StampedPose& pose = record.trajectory[index];
   if (index > 0 && !(pose.stamp > record.trajectory[index - 1].stamp)) {
@@ -90,7 +109,9 @@ void RunJournal::append(const RunRecord& record) {
   poses_.write_line(tum_line(pose));
 }
 
-std::string RunJournal::checkpoint(const RunRecord& record) {
+/// Begins to write map.pcd and summary.json from a copy, unless the last time is not over yet. What went wrong then, or
+/// nothing.
+std::string JournalSink::checkpoint(const RunRecord& record) {
   if (saving_.valid() && saving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
   const std::string problem = saving_.valid() ? saving_.get() : std::string{};
   const auto save = [folder = folder_, map = record.map.records(), summary = summary_json(record)]() -> std::string {
@@ -106,20 +127,9 @@ std::string RunJournal::checkpoint(const RunRecord& record) {
   return problem;
 }
 
-std::vector<std::string> RunJournal::finish(const RunRecord& record) {
+void JournalSink::finish(const RunRecord& record) {
   if (saving_.valid()) saving_.wait();
-  try {
-    write_pcd(folder_ / kMap, record.map.records());
-  } catch (const std::exception& error) {
-    return {error.what()};
-  }
-  return {};
-}
-
-std::set<std::string> RunJournal::kept(const RunRecord& record) {
-  std::set<std::string> files{kRows, kMap};
-  if (!record.loops) files.insert(kPoses);  // else they are not those that were appended
-  return files;
+  write_pcd(folder_ / kMap, record.map.records());
 }
 
 }  // namespace tilth

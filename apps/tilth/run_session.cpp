@@ -1,0 +1,63 @@
+#include "run_session.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "interrupt.hpp"
+#include "option_flags.hpp"
+#include "run_console.hpp"
+#include "threads.hpp"
+#include <tilth/odometry/make_odometry.hpp>
+#include <tilth/run/new_record.hpp>
+
+namespace tilth::app {
+
+void add_output_flags(CLI::App& command, RunArguments& arguments) {
+  add_option_flags(command, describe(MapOptions{}), arguments.map);
+  add_option_flags(command, describe(OutputOptions{}), arguments.output);
+  add_option_flags(command, describe(ReportOptions{}), arguments.report);
+}
+
+void add_threads_flag(CLI::App& command, RunArguments& arguments) {
+  command.add_option("--threads", arguments.threads, "0: as many as there are processors")->check(CLI::Range(0, 1024));
+}
+
+PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>& source_options,
+                    const std::vector<OptionInfo>& source_defaults) {
+  const PipelineChoice choice = choose_pipeline(arguments.options);
+  PlannedRun plan;
+  plan.record = new_record(arguments.source, choice.name, choice.values);
+  add_options(source_options, source_defaults, plan.record);
+  plan.record.map = MapBuilder(with<MapOptions>(arguments.map));
+  plan.output = with<OutputOptions>(arguments.output);
+  plan.report = with<ReportOptions>(arguments.report);
+  const SlamOptions slam = with<SlamOptions>(choice.loop);
+  plan.pipeline.odometry = make_odometry(choice.name, choice.values);
+  if (arguments.loop_closure) {
+    add_options(describe(slam), describe(SlamOptions{}), plan.record);
+    plan.pipeline = with_loop_closure(std::move(plan.pipeline.odometry), slam);
+  }
+  plan.outputs = run_outputs(plan.output, plan.report, arguments.loop_closure);
+  return plan;
+}
+
+std::vector<std::string> files_of(const std::vector<RunOutput>& outputs) {
+  std::vector<std::string> names;
+  for (const RunOutput& output : outputs) names.push_back(output.file);
+  return names;
+}
+
+RunEnd run_session(Session& session, const RunArguments& arguments) {
+  SessionOptions options = arguments.session;
+  options.interrupted = [] { return interrupted() != 0; };
+  return with_threads(arguments.threads, [&] { return session.run(options); });
+}
+
+bool end_session(Session& session, const RunArguments& arguments, const PlannedRun& plan, Console& console,
+                 std::vector<std::string> failures) {
+  for (std::string& failure : session.finish()) failures.push_back(std::move(failure));
+  report_run(session.record(), arguments.out, files_of(plan.outputs), console);
+  for (const std::string& failure : failures) console.error(failure);
+  return failures.empty();
+}
+
+}  // namespace tilth::app

@@ -1,0 +1,53 @@
+// What `tilth run` and `tilth live` share: the same session, with other sources and sinks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "console.hpp"
+#include "option_arguments.hpp"
+#include <tilth/report/run_outputs.hpp>
+#include <tilth/run/session.hpp>
+
+namespace tilth::app {
+
+struct RunArguments {
+  std::string source, out;
+  OptionArguments options;
+  OptionValues map, output, report;  ///< of MapOptions, OutputOptions and ReportOptions
+  SessionOptions session;
+  int threads = 0;  ///< zero: as many as there are processors
+  bool loop_closure = false, quiet = false;
+};
+
+/// Adds a flag for each option of the map, the files and the report. `arguments` must outlive the command.
+void add_output_flags(CLI::App& command, RunArguments& arguments);
+
+/// Adds --threads.
+void add_threads_flag(CLI::App& command, RunArguments& arguments);
+
+/// A run before its first scan.
+struct PlannedRun {
+  RunRecord record;
+  Pipeline pipeline;
+  OutputOptions output;
+  ReportOptions report;
+  std::vector<RunOutput> outputs;
+};
+
+/// The run that is asked for; `source_options` are told in its record, with their defaults. Throws Error on an option
+/// that is wrong, also on one of loop closure that is not used.
+PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>& source_options = {},
+                    const std::vector<OptionInfo>& source_defaults = {});
+
+/// The names of the files.
+std::vector<std::string> files_of(const std::vector<RunOutput>& outputs);
+
+/// Runs the session to its end or the first interrupt, with as many threads as asked for.
+RunEnd run_session(Session& session, const RunArguments& arguments);
+
+/// Writes every file, tells what came of the run and, after `failures`, what went wrong. Whether nothing did.
+bool end_session(Session& session, const RunArguments& arguments, const PlannedRun& plan, Console& console,
+                 std::vector<std::string> failures = {});
+
+}  // namespace tilth::app

@@ -1,0 +1,69 @@
+// A run that is saved while it goes on can be continued from whatever the folder holds.
+#include <io/temporary_folder.hpp>
+#include <run/scan_list.hpp>
+
+#include <gtest/gtest.h>
+
+#include <tilth/io/trajectory_file.hpp>
+#include <tilth/run/journal_sink.hpp>
+#include <tilth/run/session.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr double kNever = 1e9, kAlways = 0.0;  // [s] between checkpoints
+
+std::unique_ptr<Session> journaled(const TemporaryFolder& folder, std::vector<Scan> scans, double checkpoint,
+                                   RunObserver& observer) {
+  auto session =
+      std::make_unique<Session>(std::make_unique<ScanList>(std::move(scans)), Pipeline{std::make_unique<MetreAScan>()});
+  session->add(std::make_unique<JournalSink>(folder / "", checkpoint, observer));
+  return session;
+}
+
+TEST(JournalSink, EveryPoseStandsInTheFolderAtOnce) {
+  const TemporaryFolder folder;
+  RunObserver deaf;
+  EXPECT_FALSE(holds_run(folder / ""));
+  const auto session = journaled(folder, small_scans(4), kNever, deaf);
+  EXPECT_EQ(session->run(), RunEnd::end_of_input);  // and never finish()
+  EXPECT_TRUE(holds_run(folder / ""));
+  RunRecord record;
+  EXPECT_EQ(continue_run(folder / "", record).size(), 1U) << "there is no map yet";
+  EXPECT_EQ(record.trajectory.size(), 4U);
+  EXPECT_EQ(record.map.size(), 0U);
+}
+
+TEST(JournalSink, AMapIsSavedMeanwhile) {
+  const TemporaryFolder folder;
+  RunObserver deaf;
+  journaled(folder, small_scans(4), kAlways, deaf)->run();  // its end waits for what is being saved
+  RunRecord record;
+  EXPECT_EQ(continue_run(folder / "", record), std::vector<std::string>{});
+  EXPECT_GE(record.map.size(), 1U);
+  EXPECT_TRUE(std::filesystem::exists(folder / "summary.json"));
+}
+
+TEST(JournalSink, RefusesStampsThatGoBack) {
+  const TemporaryFolder folder;
+  RunObserver deaf;
+  std::vector<Scan> scans = small_scans(3);
+  scans[2].stamp = scans[1].stamp;
+  EXPECT_THROW(journaled(folder, scans, kNever, deaf)->run(), Error);
+  EXPECT_EQ(read_tum(folder / "trajectory.tum").size(), 2U);
+}
+
+TEST(JournalSink, IsRemovedWithItsRun) {
+  const TemporaryFolder folder;
+  RunObserver deaf;
+  const auto session = journaled(folder, small_scans(3), kNever, deaf);
+  session->run();
+  EXPECT_EQ(session->finish(), std::vector<std::string>{});
+  EXPECT_TRUE(std::filesystem::exists(folder / "map.pcd"));
+  remove_run(folder / "", {});
+  EXPECT_FALSE(holds_run(folder / ""));
+  EXPECT_FALSE(std::filesystem::exists(folder / "map.pcd"));
+}
+
+}  // namespace
+}  // namespace tilth

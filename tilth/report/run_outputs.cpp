@@ -1,0 +1,31 @@
+#include <tilth/report/run_outputs.hpp>
+#include <tilth/run/file_sinks.hpp>
+#include <tilth/run/mcap_sink.hpp>
+
+namespace tilth {
+
+std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOptions& report, bool loop_closure) {
+  using Path = std::filesystem::path;
+  std::vector<RunOutput> all{{"trajectory.tum", tum_sink},
+                             {"trajectory_kitti.txt", kitti_sink},
+                             {"scans.csv", scan_table_sink},
+                             {"summary.json", summary_sink}};
+  const std::set<std::string> maps = map_formats(options);
+  for (const char* format : {"pcd", "ply", "las"}) {
+    if (maps.contains(format)) all.push_back({std::string("map.") + format, map_sink});
+  }
+  all.push_back({"report.html", [report](const Path& path) { return report_sink(path, report); }});
+  if (options.mcap) {
+    const auto open = [points = options.mcap_points](const Path& path) {
+      return std::make_unique<McapSink>(path, points);
+    };
+    all.push_back({"run.mcap", open});
+  }
+  if (!loop_closure) return all;
+  all.push_back({"trajectory_odometry.tum", odometry_trajectory_sink});
+  all.push_back({"closures.csv", closures_sink});
+  all.push_back({"pose_graph.g2o", pose_graph_sink});
+  return all;
+}
+
+}  // namespace tilth

@@ -1,0 +1,63 @@
+#include <tilth/core/error.hpp>
+#include <tilth/io/g2o.hpp>
+#include <tilth/io/las.hpp>
+#include <tilth/io/output_file.hpp>
+#include <tilth/io/pcd.hpp>
+#include <tilth/io/ply.hpp>
+#include <tilth/io/trajectory_file.hpp>
+#include <tilth/run/file_sinks.hpp>
+#include <tilth/run/run_record.hpp>
+#include <tilth/run/summary_json.hpp>
+
+namespace tilth {
+namespace {
+
+using Path = std::filesystem::path;
+
+const LoopRecord& loops_of(const Path& path, const RunRecord& run) {
+  if (!run.loops) throw Error(path.string(), "cannot be written: the run had no loop closure");
+  return *run.loops;
+}
+
+}  // namespace
+
+std::unique_ptr<Sink> tum_sink(const Path& path) {
+  return file_sink(path, [](const Path& to, const RunRecord& run) { write_tum(to, run.trajectory); });
+}
+
+std::unique_ptr<Sink> kitti_sink(const Path& path) {
+  return file_sink(path, [](const Path& to, const RunRecord& run) { write_kitti_poses(to, run.trajectory); });
+}
+
+std::unique_ptr<Sink> scan_table_sink(const Path& path) {
+  return file_sink(path, [](const Path& to, const RunRecord& run) { write_scan_table(to, run.scans); });
+}
+
+std::unique_ptr<Sink> summary_sink(const Path& path) {
+  return file_sink(path, [](const Path& to, const RunRecord& run) { write_text(to, summary_json(run)); });
+}
+
+std::unique_ptr<Sink> map_sink(const Path& path) {
+  const std::string format = path.extension().string();
+  if (format == ".pcd")
+    return file_sink(path, [](const Path& to, const RunRecord& run) { write_pcd(to, run.map.records()); });
+  if (format == ".ply")
+    return file_sink(path, [](const Path& to, const RunRecord& run) { write_ply(to, run.map.records()); });
+  if (format == ".las")
+    return file_sink(path, [](const Path& to, const RunRecord& run) { write_las(to, run.map.records()); });
+  throw Error(path.string(), "is no name for a map: it must end with .pcd, .ply or .las");
+}
+
+std::unique_ptr<Sink> odometry_trajectory_sink(const Path& path) {
+  return file_sink(path, [](const Path& to, const RunRecord& run) { write_tum(to, loops_of(to, run).odometry); });
+}
+
+std::unique_ptr<Sink> closures_sink(const Path& path) {
+  return file_sink(path, [](const Path& to, const RunRecord& run) { write_closures(to, loops_of(to, run).closures); });
+}
+
+std::unique_ptr<Sink> pose_graph_sink(const Path& path) {
+  return file_sink(path, [](const Path& to, const RunRecord& run) { write_g2o(to, loops_of(to, run).graph); });
+}
+
+}  // namespace tilth

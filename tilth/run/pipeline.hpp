@@ -1,0 +1,24 @@
+// A pipeline as a run drives it: an odometry, with loop closure around it or without.
+#pragma once
+
+#include <memory>
+
+#include <tilth/odometry/odometry.hpp>
+#include <tilth/run/run_record.hpp>
+#include <tilth/slam/slam.hpp>
+
+namespace tilth {
+
+struct Pipeline {
+  std::unique_ptr<Odometry> odometry;
+  Slam* slam = nullptr;  ///< in `odometry`, with loop closure
+};
+
+/// The same with loop closure. Throws Error on options that are wrong.
+Pipeline with_loop_closure(std::unique_ptr<Odometry> odometry, const SlamOptions& options);
+
+/// Optimises for the last time; then trajectory and map of `record` are the corrected ones, and what led there stands
+/// in `record.loops`.
+void close_loops(Slam& slam, RunRecord& record);
+
+}  // namespace tilth

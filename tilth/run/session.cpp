@@ -1,0 +1,147 @@
+#include <utility>
+
+#include <tilth/core/error.hpp>
+#include <tilth/run/machine.hpp>
+#include <tilth/run/session.hpp>
+#include <tilth/run/stopwatch.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr std::size_t kMostWarnings = 10;
+
+ScanRow row_of(const Scan& scan, const OdometryResult& result) {
+  ScanRow row;
+  row.stamp = result.stamp;
+  row.points_read = scan.cloud.size();
+  row.points_in = result.counts.points_in;
+  row.outliers = result.counts.outliers;
+  row.edges = result.counts.edges;
+  row.planes = result.counts.planes;
+  row.candidates = result.alignment.candidates;
+  row.matches = result.alignment.matches;
+  row.iterations = result.alignment.iterations;
+  row.converged = result.alignment.converged;
+  row.error = result.alignment.error;
+  row.degenerate_directions = result.alignment.degenerate_directions;
+  row.variances = result.covariance.value_or(result.alignment.covariance).diagonal();
+  return row;
+}
+
+}  // namespace
+
+std::string to_text(RunEnd end) {
+  switch (end) {
+    case RunEnd::end_of_input: return "end of input";
+    case RunEnd::max_scans: return "as many scans as asked for";
+    case RunEnd::interrupted: return "interrupted";
+    case RunEnd::bad_record: return "a record that cannot be used (--strict)";
+    case RunEnd::input_broken: return "the input breaks off";
+  }
+  return {};
+}
+
+Session::Session(std::unique_ptr<ScanSource> source, Pipeline pipeline, RunRecord record)
+    : source_(std::move(source)), pipeline_(std::move(pipeline)), record_(std::move(record)) {
+  pipeline_.odometry->listen([this](std::string_view stage) { clock_.begin(stage); });
+}
+
+RunEnd Session::run(const SessionOptions& options) {
+  const Stopwatch stopwatch;
+  record_.ended = "it goes on";  // as what is saved meanwhile says
+  const RunEnd end = register_scans(options);
+  record_.notices = source_->notices();
+  for (const std::string& notice : record_.notices) observer_->note(notice);
+  if (pipeline_.slam != nullptr) close_loops(*pipeline_.slam, record_);
+  record_.ended = to_text(end);
+  record_.wall_seconds = stopwatch.seconds();
+  record_.peak_megabytes = peak_megabytes();
+  return end;
+}
+
+std::vector<std::string> Session::finish() {
+  std::vector<std::string> failures;
+  for (const std::unique_ptr<Sink>& sink : sinks_) {
+    try {
+      sink->finish(record_);
+    } catch (const std::exception& e) {
+      failures.emplace_back(e.what());
+    }
+  }
+  return failures;
+}
+
+RunEnd Session::register_scans(const SessionOptions& options) {
+  while (options.max_scans == 0 || read_ < options.max_scans) {
+    if (options.interrupted && options.interrupted()) return RunEnd::interrupted;
+    const Stopwatch reading;
+    const std::optional<Scan> scan = read();
+    if (options.strict && !record_.skipped.empty()) return RunEnd::bad_record;
+    if (!scan) return broken_ ? RunEnd::input_broken : RunEnd::end_of_input;
+    if (read_++ == 0) take_decisions();
+    const std::optional<OdometryResult> result = register_scan(*scan, reading.milliseconds());
+    if (!result && options.strict) return RunEnd::bad_record;
+    if (result) {
+      for (const std::unique_ptr<Sink>& sink : sinks_) sink->take(*scan, *result, record_);
+    }
+    observer_->progress(read_, source_->size());
+  }
+  return RunEnd::max_scans;
+}
+
+void Session::take_decisions() {
+  record_.decisions = source_->decisions();
+  for (const std::string& decision : record_.decisions) observer_->note(decision);
+}
+
+std::optional<Scan> Session::read() {
+  try {
+    std::optional<Scan> scan = source_->next();
+    take_skipped();
+    return scan;
+  } catch (const std::exception& e) {
+    take_skipped();
+    skip({read_ + taken_, "input", e.what()});
+    broken_ = true;
+    return std::nullopt;
+  }
+}
+
+std::optional<OdometryResult> Session::register_scan(const Scan& scan, double read_ms) {
+  try {
+    const double cpu_before = thread_cpu_milliseconds();
+    clock_.start();
+    OdometryResult result = pipeline_.odometry->register_scan(scan);
+    ScanRow row = row_of(scan, result);
+    row.register_ms = clock_.stop();
+    row.register_cpu_ms = thread_cpu_milliseconds() - cpu_before;
+    row.stage_ms = clock_.milliseconds();
+    row.read_ms = read_ms;
+    keep(scan, result, std::move(row));
+    return result;
+  } catch (const Error& e) {
+    skip({read_ - 1 + taken_, "scan " + std::to_string(read_ - 1 + taken_), e.what()});
+    return std::nullopt;
+  }
+}
+
+void Session::keep(const Scan& scan, const OdometryResult& result, ScanRow row) {
+  const Stopwatch mapping;
+  record_.map.add(result.filtered, result.T_world_lidar, result.stamp - scan.stamp, result.motion);
+  row.map_ms = mapping.milliseconds();
+  record_.trajectory.push_back({result.stamp, result.T_world_lidar});
+  record_.scans.stages = clock_.stages();
+  record_.scans.rows.push_back(std::move(row));
+}
+
+void Session::take_skipped() {
+  for (; taken_ < source_->skipped().size(); ++taken_) skip(source_->skipped()[taken_]);
+}
+
+void Session::skip(SkippedScan skipped) {
+  if (record_.skipped.size() < kMostWarnings) observer_->warn("skipped: " + skipped.where + ": " + skipped.what);
+  if (record_.skipped.size() == kMostWarnings) observer_->warn("more was skipped; all of it stands in summary.json");
+  record_.skipped.push_back(std::move(skipped));
+}
+
+}  // namespace tilth
