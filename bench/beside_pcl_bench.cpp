@@ -86,14 +86,11 @@ void report(benchmark::State& state, const bench::RegistrationCase& c, const Pos
 void gicp_by_tilth(benchmark::State& state) {
   const bench::RegistrationCase c = bench::registration_case(state.range(0));
   const ImprovedFloamOptions options;
-  const auto look_up = [&c](const Eigen::Vector3d& p, const Eigen::Vector3d& n, bool flat) {
-    return c.map.find(p, n, flat);
-  };
   AlignResult result;
   for (auto _ : state) {
-    MatchedPatches source{c.features};
+    MatchedPatches<MapSurface> source{c.features};
     result = align(start_of(c), options.align,
-                   [&](const Pose& T) { return associate_distributions(source, T, look_up, options.association); });
+                   [&](const Pose& T) { return associate_distributions(source, T, c.map, options.association); });
   }
   report(state, c, result.T_target_source);
 }

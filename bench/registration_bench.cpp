@@ -13,10 +13,6 @@ using namespace tilth;
 
 const Vector6d kOff = (Vector6d() << 0.004, -0.004, 0.006, 0.02, -0.02, 0.01).finished();  // [rad, m]
 
-auto look_up_in(const PatchMap& map) {
-  return [&map](const Eigen::Vector3d& p, const Eigen::Vector3d& n, bool flat) { return map.find(p, n, flat); };
-}
-
 void report(benchmark::State& state, const AlignResult& result, const Pose& T_true) {
   const Vector6d error = log(T_true.inverse() * result.T_target_source);
   state.counters["iterations"] = result.iterations;
@@ -32,9 +28,9 @@ void align_features(benchmark::State& state, const Associate& associate) {
   const Pose T_start = retract(c.scan.T_world_middle, kOff);
   AlignResult result;
   for (auto _ : state) {
-    MatchedPatches source{c.features};
+    MatchedPatches<MapSurface> source{c.features};
     result = align(T_start, options.align,
-                   [&](const Pose& T) { return associate(source, T, look_up_in(c.map), options.association); });
+                   [&](const Pose& T) { return associate(source, T, c.map, options.association); });
   }
   report(state, result, c.scan.T_world_middle);
 }
@@ -52,9 +48,9 @@ void gicp_one_iteration(benchmark::State& state) {
   ImprovedFloamOptions options;
   options.align.max_iterations = 1;
   for (auto _ : state) {
-    MatchedPatches source{c.features};
+    MatchedPatches<MapSurface> source{c.features};
     benchmark::DoNotOptimize(align(c.scan.T_world_middle, options.align, [&](const Pose& T) {
-      return associate_distributions(source, T, look_up_in(c.map), options.association);
+      return associate_distributions(source, T, c.map, options.association);
     }));
   }
 }
@@ -70,7 +66,7 @@ void pose_and_velocity(benchmark::State& state) {
   const Pose T_start = retract(c.scan.T_world_middle, kOff);
   const MotionPrior prior{.T_map_last = T_start, .interval = interval, .known = true};  // which stands still
   ContinuousTimeAlignment result;
-  for (auto _ : state) result = align_continuous_time(patches, middle, prior, look_up_in(c.map), options.align);
+  for (auto _ : state) result = align_continuous_time(patches, middle, prior, c.map, options.align);
   report(state, result.pose, c.scan.T_world_middle);
 }
 

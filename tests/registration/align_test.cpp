@@ -116,30 +116,35 @@ struct Gaussian {
   double variance = covariance(0, 0);
 };
 
+/// A map that finds as told.
+template <class Find>
+struct FoundBy {
+  Find found;
+  const Gaussian* find(const Eigen::Vector3d& p, const Eigen::Vector3d&, bool) const { return found(p); }
+};
+
 TEST(Association, PreCheckRefusesFarAndMissingTargets) {
-  MatchedPatches source{SurfacePatches(3, {.covariance = Eigen::Matrix3d::Identity()})};
+  MatchedPatches<Gaussian> source{SurfacePatches(3, {.covariance = Eigen::Matrix3d::Identity()})};
   for (int i = 0; i < 3; ++i) source.patches[std::size_t(i)].mean.x() = i;
   const Gaussian target{Eigen::Vector3d(1.2, 0, 0), Eigen::Matrix3d::Identity()};
-  const auto lookup = [&](const Eigen::Vector3d& p, const Eigen::Vector3d&, bool) {
-    return p.x() > 1.5 ? nullptr : &target;
-  };
-  const auto pairs = associate_distributions(source, Pose::Identity(), lookup, {.max_distance = 0.5});
+  const FoundBy map{[&](const Eigen::Vector3d& p) { return p.x() > 1.5 ? nullptr : &target; }};
+  const auto pairs = associate_distributions(source, Pose::Identity(), map, {.max_distance = 0.5});
   ASSERT_EQ(pairs.size(), 1u);
   EXPECT_EQ(pairs[0].source.x(), 1.0);
-  EXPECT_EQ(associate_points(source, Pose::Identity(), lookup, {.max_distance = 0.5}).size(), 1u);
+  EXPECT_EQ(associate_points(source, Pose::Identity(), map, {.max_distance = 0.5}).size(), 1u);
 }
 
 TEST(Association, LooksUpAnewOnlyWhatHasMoved) {
-  MatchedPatches source{{{.mean = Eigen::Vector3d::Zero()}, {.mean = 10 * Eigen::Vector3d::UnitX()}}};
+  MatchedPatches<Gaussian> source{{{.mean = Eigen::Vector3d::Zero()}, {.mean = 10 * Eigen::Vector3d::UnitX()}}};
   const Gaussian target{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()};
   int asked = 0;
-  const auto lookup = [&](const Eigen::Vector3d&, const Eigen::Vector3d&, bool) {
+  const FoundBy map{[&](const Eigen::Vector3d&) {
     ++asked;
     return &target;
-  };
+  }};
   const auto asked_at = [&](const Pose& T) {
     asked = 0;
-    associate_points(source, T, lookup, {.max_distance = 20, .renew_distance = 0.02});
+    associate_points(source, T, map, {.max_distance = 20, .renew_distance = 0.02});
     return asked;
   };
   EXPECT_EQ(asked_at(Pose::Identity()), 2);
@@ -149,11 +154,11 @@ TEST(Association, LooksUpAnewOnlyWhatHasMoved) {
 }
 
 TEST(Association, InformationIsRebuiltWithTheRotation) {
-  MatchedPatches source{{{.covariance = Eigen::Vector3d(4, 1, 1).asDiagonal()}}};
+  MatchedPatches<Gaussian> source{{{.covariance = Eigen::Vector3d(4, 1, 1).asDiagonal()}}};
   const Gaussian target{Eigen::Vector3d::Zero(), Eigen::Vector3d(1, 2, 3).asDiagonal()};
-  const auto lookup = [&](const Eigen::Vector3d&, const Eigen::Vector3d&, bool) { return &target; };
+  const FoundBy map{[&](const Eigen::Vector3d&) { return &target; }};
   const Pose T(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()));
-  const auto pairs = associate_distributions(source, T, lookup, {.lambda = 0.5});
+  const auto pairs = associate_distributions(source, T, map, {.lambda = 0.5});
   EXPECT_LT((pairs[0].information.inverse().diagonal() - Eigen::Vector3d(1 + 1 + 1, 4 + 2 + 1, 1 + 3 + 1)).norm(),
             1e-9);
 }

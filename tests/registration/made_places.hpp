@@ -34,7 +34,7 @@ struct Place {
   void add(const Eigen::Vector3d& mean, const Eigen::Vector3d& normal) {
     planes.push_back({mean, normal, thin(normal, 1.0, 1e-4), 1e-4});
   }
-  const Plane* operator()(const Eigen::Vector3d&, const Eigen::Vector3d& normal, bool) const {
+  const Plane* find(const Eigen::Vector3d&, const Eigen::Vector3d& normal, bool) const {
     const auto faces_less = [&](const Plane& a, const Plane& b) { return a.normal.dot(normal) < b.normal.dot(normal); };
     return planes.empty() ? nullptr : &*std::max_element(planes.begin(), planes.end(), faces_less);
   }

@@ -22,20 +22,25 @@ TEST(PatchPairs, APairIsAsSureAsThePatchHasPointsAndTheSurfaceHasPatches) {
   EXPECT_GT(variance(9, 60, askew) - variance(9, 60, patch.normal), 0.9 * kOptions.spread_ratio * 0.04 * 1e-2);
 }
 
+/// Planes told apart by where they are: none of the patches faces as its surface does.
+struct NearestPlane {
+  Place place;
+  const Place::Plane* find(const Eigen::Vector3d& p, const Eigen::Vector3d&, bool flat) const {
+    EXPECT_FALSE(flat);
+    const auto nearer = [&](const Place::Plane& a, const Place::Plane& b) {
+      return std::abs(a.normal.dot(p - a.mean)) < std::abs(b.normal.dot(p - b.mean));
+    };
+    return &*std::min_element(place.planes.begin(), place.planes.end(), nearer);
+  }
+};
+
 TEST(PatchPairs, PatchesThatAreNotFlatAreHeldAgainstPlanes) {
   SurfacePatches patches = seen(room(), kTruth, kVelocity, 600);
   for (SurfacePatch& patch : patches) {
     patch.flat = false;
     patch.normal = patch.normal.unitOrthogonal();
   }
-  // none of them faces as its surface does, so that they are told apart by where they are
-  const auto nearest = [place = room()](const Eigen::Vector3d& p, const Eigen::Vector3d&, bool flat) {
-    EXPECT_FALSE(flat);
-    const auto nearer = [&](const Place::Plane& a, const Place::Plane& b) {
-      return std::abs(a.normal.dot(p - a.mean)) < std::abs(b.normal.dot(p - b.mean));
-    };
-    return &*std::min_element(place.planes.begin(), place.planes.end(), nearer);
-  };
+  const NearestPlane nearest{room()};
   const auto result = align_continuous_time(patches, kMiddle, prior_of(kVelocity, 0.3 * kSurprise), nearest, kOptions);
   EXPECT_TRUE(result.pose.converged);
   EXPECT_LT(pose_error(result), 1e-3);

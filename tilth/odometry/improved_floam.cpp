@@ -39,7 +39,7 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   result.stamp = scan.stamp + middle;
   // The second time the scan is straightened by the motion that the first time, which may be rough, has found.
   Pose T_world_middle = motion_.predict(result.stamp);
-  MatchedPatches still;
+  MatchedPatches<MapSurface> still;
   for (const AlignOptions& align : {rough(options_), options_.align}) {
     if (options_.deskew)
       result.motion = MotionInScan::steady(motion_.velocity_to(result.stamp, T_world_middle), middle);
@@ -57,15 +57,12 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   return result;
 }
 
-AlignResult ImprovedFloam::register_features(MatchedPatches& features, const Pose& T_start,
+AlignResult ImprovedFloam::register_features(MatchedPatches<MapSurface>& features, const Pose& T_start,
                                              const AlignOptions& align_options) const {
   if (motion_.updates() == 0) return {.T_target_source = T_start, .converged = true};
-  const auto in_map = [this](const Eigen::Vector3d& p, const Eigen::Vector3d& n, bool flat) {
-    return map_.find(p, n, flat);
-  };
   const auto align_by = [&](const auto& associate) {
     return align(T_start, align_options,
-                 [&](const Pose& T) { return associate(features, T, in_map, options_.association); });
+                 [&](const Pose& T) { return associate(features, T, map_, options_.association); });
   };
   AlignResult result = options_.method == RegistrationMethod::gicp
                            ? align_by([](auto&&... args) { return associate_distributions(args...); })

@@ -60,10 +60,7 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
 
 ContinuousTimeAlignment TilthOdometry::align_to_map(const SurfacePatches& patches, double middle,
                                                     const MotionPrior& prior) const {
-  const auto in_map = [this](const Eigen::Vector3d& p, const Eigen::Vector3d& n, bool flat) {
-    return map_.find(p, n, flat);
-  };
-  return align_continuous_time(evenly(patches, std::size_t(options_.max_patches)), middle, prior, in_map,
+  return align_continuous_time(evenly(patches, std::size_t(options_.max_patches)), middle, prior, map_,
                                options_.align);
 }
 

@@ -25,12 +25,12 @@ ScanPrior scan_prior(const MotionPrior& motion, double middle, const ContinuousT
 bool gauss_newton_step(const PatchPairs& pairs, const ScanPrior& prior, const ContinuousTimeOptions& options,
                        MotionState& state, ContinuousTimeAlignment& result);
 
-/// The state at which the patches agree with the target, and the prior. Pairs are made anew in every iteration; the
+/// The state at which the patches agree with the map, and the prior. Pairs are made anew in every iteration; the
 /// kernel narrows from first_kernel_width to kernel_width (graduated non-convexity, Yang et al. 2020). Too few pairs:
 /// the predicted pose comes back, not converged.
-template <SurfaceLookup Lookup>
+template <SurfaceMap Map>
 ContinuousTimeAlignment align_continuous_time(const SurfacePatches& patches, double middle, const MotionPrior& prior,
-                                              const Lookup& target, const ContinuousTimeOptions& options) {
+                                              const Map& map, const ContinuousTimeOptions& options) {
   MotionState state{predicted(prior), MotionInScan::steady(prior.velocity, middle), middle,
                     std::max(options.first_kernel_width, options.kernel_width)};
   ContinuousTimeAlignment result{.pose = {.T_target_source = state.T_map_lidar},
@@ -38,9 +38,9 @@ ContinuousTimeAlignment align_continuous_time(const SurfacePatches& patches, dou
                                  .covariance = pose_variances(prior, options).asDiagonal()};
   result.pose.candidates = patches.size();
   const ScanPrior before = scan_prior(prior, middle, options);
-  PatchMatching matching;
+  PatchMatching<SurfaceOf<Map>> matching;
   while (result.pose.iterations < options.max_iterations && !result.pose.converged) {
-    associate_patches(patches, state, target, options, matching);
+    associate_patches(patches, state, map, options, matching);
     if (!gauss_newton_step(matching.pairs, before, options, state, result)) return result;
     result.pose.converged &= state.kernel_width <= options.kernel_width;
     state.kernel_width = std::max(options.kernel_width, state.kernel_width / 2);

@@ -49,9 +49,10 @@ struct MotionState {
   double kernel_width = 1.0;            ///< [sigma] in force
 };
 
+template <class Surface>
 struct PatchMatching {
-  std::vector<SurfaceMatch> matches;  ///< one a patch
-  PatchPairs pairs;                   ///< those near enough, and facing the same way
+  std::vector<SurfaceMatch<Surface>> matches;  ///< one a patch
+  PatchPairs pairs;                            ///< those near enough, and facing the same way
 };
 
 /// [m^2] of a residual along `n`, the surface's normal seen from the patch: that of the mean of the patch's points,
@@ -66,9 +67,9 @@ double pair_variance(const SurfacePatch& patch, const Eigen::Vector3d& n, const 
 }
 
 /// Brings `matching`, of the iteration before, up to date at `state`.
-template <SurfaceLookup Lookup>
-void associate_patches(const SurfacePatches& patches, const MotionState& state, const Lookup& target,
-                       const ContinuousTimeOptions& options, PatchMatching& matching) {
+template <SurfaceMap Map>
+void associate_patches(const SurfacePatches& patches, const MotionState& state, const Map& map,
+                       const ContinuousTimeOptions& options, PatchMatching<SurfaceOf<Map>>& matching) {
   matching.matches.resize(patches.size());
   matching.pairs.clear();
   const double max_squared = options.max_distance * options.max_distance;
@@ -80,8 +81,10 @@ void associate_patches(const SurfacePatches& patches, const MotionState& state, 
     const double lever = double(patch.time) - state.middle;
     const Eigen::Vector3d point = motion.move(patch.mean, patch.time), point_in_map = state.T_map_lidar * point;
     const Eigen::Matrix3d R_lidar_patch = motion.rotation(patch.time);
-    const auto look_up = [&] { return target(point_in_map, R_map_lidar * (R_lidar_patch * patch.normal), patch.flat); };
-    const auto* surface = surface_at(point_in_map, renew_squared, matching.matches[i], look_up);
+    const auto look_up = [&] {
+      return map.find(point_in_map, R_map_lidar * (R_lidar_patch * patch.normal), patch.flat);
+    };
+    const SurfaceOf<Map>* surface = surface_at(point_in_map, renew_squared, matching.matches[i], look_up);
     if (surface == nullptr) continue;
     const Eigen::Vector3d offset = point_in_map - surface->mean;
     if (offset.squaredNorm() > max_squared) continue;

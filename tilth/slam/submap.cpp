@@ -21,17 +21,13 @@ struct Target {
 };
 
 // The pairs of one association: flat patches are held along the normal of their surface alone.
-class PatchPairs {
+class SubmapPairs {
   AssociationOptions reach() const {
     return {.max_distance = target_.voxel_size, .lambda = 0.5 * options_.patch_variance, .renew_distance = 0};
   }
-  auto lookup() const {
-    return
-        [this](const Eigen::Vector3d& p, const Eigen::Vector3d& n, bool flat) { return target_.map.find(p, n, flat); };
-  }
 
  public:
-  PatchPairs(const SurfacePatches& source, const Target& target, const SubmapOptions& options)
+  SubmapPairs(const SurfacePatches& source, const Target& target, const SubmapOptions& options)
       : target_(target), options_(options) {
     for (const SurfacePatch& patch : source) (patch.flat ? flat_ : others_).patches.push_back(patch);
   }
@@ -39,7 +35,7 @@ class PatchPairs {
   std::vector<PointToPlane> planes(const Pose& T) {
     std::vector<PointToPlane> pairs;
     pairs.reserve(flat_.patches.size());
-    for_each_match(flat_, T, lookup(), reach(), [&](const SurfacePatch& patch, const MapSurface& surface) {
+    for_each_match(flat_, T, target_.map, reach(), [&](const SurfacePatch& patch, const MapSurface& surface) {
       if ((T.linear() * patch.normal).dot(surface.normal) < options_.min_cosine) return;
       const double variance = double(patch.thickness) + surface.variance + options_.patch_variance;
       pairs.push_back({patch.mean, surface.mean, surface.normal / std::sqrt(variance)});
@@ -48,16 +44,16 @@ class PatchPairs {
   }
 
   std::vector<DistributionToDistribution> shapes(const Pose& T) {
-    return associate_distributions(others_, T, lookup(), reach());
+    return associate_distributions(others_, T, target_.map, reach());
   }
 
  private:
-  MatchedPatches flat_, others_;
+  MatchedPatches<MapSurface> flat_, others_;
   Target target_;
   const SubmapOptions& options_;
 };
 
-AlignResult align_to(PatchPairs& pairs, const Pose& T_init, double kernel_width, const SubmapOptions& options) {
+AlignResult align_to(SubmapPairs& pairs, const Pose& T_init, double kernel_width, const SubmapOptions& options) {
   AlignOptions align_options;
   align_options.max_iterations = options.max_iterations;
   align_options.transformation_epsilon = 1e-4;
@@ -89,7 +85,7 @@ Submap::Submap(SurfacePatches patches, const SubmapOptions& options)
 
 AlignResult refine(const SurfacePatches& source, const Submap& target, const Pose& T_init,
                    const SubmapOptions& options) {
-  PatchPairs pairs(source, {target.fine(), options.fine_voxel}, options);
+  SubmapPairs pairs(source, {target.fine(), options.fine_voxel}, options);
   AlignResult result{.T_target_source = T_init};
   const double first_width = 4 * options.kernel_width;
   for (double width = first_width; width > 0.99 * options.kernel_width; width /= 2)
@@ -100,7 +96,7 @@ AlignResult refine(const SurfacePatches& source, const Submap& target, const Pos
 
 AlignResult register_submap(const SurfacePatches& source, const Submap& target, const Pose& T_init,
                             const SubmapOptions& options) {
-  PatchPairs pairs(source, {target.coarse(), options.coarse_voxel}, options);
+  SubmapPairs pairs(source, {target.coarse(), options.coarse_voxel}, options);
   const AlignResult coarse = align_to(pairs, T_init, options.first_kernel_width, options);
   return refine(source, target, coarse.T_target_source, options);
 }
