@@ -119,6 +119,29 @@ TEST(Vibration, AddsToTheCovarianceOfThePose) {
   EXPECT_LT(covariance_in_middle(VibrationFactor(still.H)).trace(), 0.5 * covariance_in_middle(factor).trace());
 }
 
+TEST(Vibration, ThePriorIsThatOfTheKnotsAndOfTheirMean) {
+  VibrationOptions options;
+  options.mean = 0.4;
+  std::mt19937 rng(6);
+  const ScanVibration mean = some_vibration(1e-4, 1e-4, rng);
+  constexpr double kRatio = 0.05, kScale = 0.1;
+  const VibrationPrior prior = vibration_prior(kSpread, mean, {kRatio, kScale}, options);
+  const Vector6d s2 = kSpread.variances() / kScale;
+  for (std::size_t k = 0; k < mean.knots.size(); ++k) {
+    for (int i = 0; i < 6; ++i) {
+      const auto cost = [&](double x) {
+        const double left = (1 - kRatio) * mean.knots[k][i] + kRatio * x;
+        const double mean_variance = options.mean * options.mean * s2[i] * kRatio / 2;
+        return 0.5 * x * x / s2[i] + 0.5 * left * left / mean_variance;
+      };
+      const double best = prior.means.knots[k][i], sigma = std::sqrt(prior.variances[i]);
+      EXPECT_NEAR(cost(best + sigma) - cost(best), 0.5, 1e-6);
+      EXPECT_NEAR(cost(best - sigma) - cost(best), 0.5, 1e-6);
+    }
+  }
+  EXPECT_TRUE(prior.sigma_variances.isApprox(s2));
+}
+
 TEST(ScanVibration, IsLinearBetweenItsKnotsAndStaysAtItsEnds) {
   ScanVibration vibration;
   for (int k = 0; k < kKnots; ++k) vibration.knots[std::size_t(k)] = Vector6d::Constant(k * k);

@@ -28,6 +28,21 @@ struct ScanVibration {
   }
 };
 
+/// Standard deviations of the vibration.
+struct VibrationSigma {
+  double tilt = 0.0;         ///< [rad] about x and y of the LiDAR
+  double yaw = 0.0;          ///< [rad] about z, the axis of its spin
+  double translation = 0.0;  ///< [m] along each axis
+
+  bool none() const { return tilt == 0.0 || yaw == 0.0 || translation == 0.0; }
+
+  Vector6d variances() const {
+    Vector6d v;
+    v << tilt * tilt, tilt * tilt, yaw * yaw, Eigen::Vector3d::Constant(translation * translation);
+    return v;
+  }
+};
+
 /// What scans tell about the size of their vibration, in tilt, yaw and translation: sums of squares [rad^2, rad^2, m^2]
 /// of the deviations, and how many of these the scans determine.
 struct VibrationEvidence {

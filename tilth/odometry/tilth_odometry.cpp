@@ -16,67 +16,53 @@ SurfacePatches evenly(const SurfacePatches& patches, std::size_t most) {
   return chosen;
 }
 
-/// The pose `time` [s] after the middle of a scan of which the alignment tells.
-Pose pose_in_scan(const ContinuousTimeAlignment& alignment, double time) {
-  return alignment.pose.T_target_source * alignment.motion.at(time);
-}
-
 }  // namespace
 
 OdometryResult TilthOdometry::register_scan(const Scan& scan) {
-  OdometryResult result;
   begin_stage("crop");
   const PointCloud cloud = crop_range(scan.cloud, options_.min_range, options_.max_range);
   begin_stage("outliers");
   arrange(cloud, rings_);
   const std::vector<std::uint8_t> keep =
       ring_support(rings_, cloud.size(), options_.outliers).value_or(std::vector<std::uint8_t>(cloud.size(), 1));
-  result.filtered = select_kept(cloud, keep);
   begin_stage("features");
-  const SurfacePatches patches = surface_patches(cloud, rings_, keep, options_.patches);
+  const ScanPatches patches{scan.stamp, duration(cloud), surface_patches(cloud, rings_, keep, options_.patches)};
 
   begin_stage("registration");
-  const double scan_duration = duration(cloud), middle = 0.5 * scan_duration;
-  motion_.interval = registered_ > 0 ? scan.stamp + middle - last_middle_ : 0.0;
-  const ContinuousTimeAlignment alignment = register_patches(patches, middle);
+  const MotionPrior prior = motion_.predict(patches.time());
+  const ContinuousTimeAlignment alignment = align(patches, prior);
   begin_stage("map");
-  if (registered_ == 0) begin_ = scan.stamp + middle;
-  result.covariance = covariance_of(alignment, scan.stamp + middle - begin_);
-  last_middle_ = scan.stamp + middle;
-  insert(patches, middle, alignment);
-  if (first_ && registered_ >= 2 && last_middle_ - begin_ >= options_.reanchor_after) reanchor();
+  const Matrix6d covariance = covariance_of(alignment, patches.time());
+  insert(patches, alignment);
+  if (world_.is_due(patches.time())) reanchor();
 
-  result.alignment = alignment.pose;
-  result.alignment.T_target_source = T_world_map_ * alignment.pose.T_target_source;
-  const double pose_time = (options_.pose_at - 0.5) * scan_duration;
-  result.motion = alignment.motion.from(pose_time);
-  result.stamp = scan.stamp + options_.pose_at * scan_duration;
-  result.T_world_lidar = T_world_map_ * pose_in_scan(alignment, pose_time);
-  const auto flat = std::count_if(patches.begin(), patches.end(), [](const SurfacePatch& p) { return p.flat; });
-  result.counts = {cloud.size(), cloud.size() - result.filtered.size(), patches.size() - std::size_t(flat),
-                   std::size_t(flat)};
+  OdometryResult result = result_of(alignment, patches);
+  result.covariance = covariance;
+  result.filtered = select_kept(cloud, keep);
+  result.counts.points_in = cloud.size();
+  result.counts.outliers = cloud.size() - result.filtered.size();
   return result;
 }
 
-ContinuousTimeAlignment TilthOdometry::align_to_map(const SurfacePatches& patches, double middle,
-                                                    const MotionPrior& prior) const {
-  return align_continuous_time(evenly(patches, std::size_t(options_.max_patches)), middle, prior, map_,
+ContinuousTimeAlignment TilthOdometry::align(const ScanPatches& scan, const MotionPrior& prior) {
+  const bool enough = scan.patches.size() >= std::size_t(options_.align.min_matches);
+  if (world_.empty() && enough) return {.pose = {.converged = true, .candidates = scan.patches.size()}};
+  return world_.awaits_second() ? align_second(scan, prior) : align_to_map(scan, prior);
+}
+
+ContinuousTimeAlignment TilthOdometry::align_to_map(const ScanPatches& scan, const MotionPrior& prior) const {
+  return align_continuous_time(evenly(scan.patches, std::size_t(options_.max_patches)), scan.middle(), prior, map_,
                                options_.align);
 }
 
-ContinuousTimeAlignment TilthOdometry::register_patches(const SurfacePatches& patches, double middle) {
-  const bool enough = patches.size() >= std::size_t(options_.align.min_matches);
-  if (registered_ == 0 && enough) return {.pose = {.converged = true, .candidates = patches.size()}};
-  if (registered_ != 1) return align_to_map(patches, middle, motion_);
-  // The second scan tells how the sensor moved in the first one, which then is straightened anew.
+ContinuousTimeAlignment TilthOdometry::align_second(const ScanPatches& scan, MotionPrior prior) {
   constexpr int kRounds = 4;
   ContinuousTimeAlignment alignment;
   for (int round = 0; round < kRounds; ++round) {
-    alignment = align_to_map(patches, middle, motion_);
-    motion_.velocity = alignment.motion.velocity;
+    alignment = align_to_map(scan, prior);
+    prior.velocity = alignment.motion.velocity;
     map_ = PatchMap(options_.map);
-    const MotionInScan motion = MotionInScan::steady(alignment.motion.velocity, first_->middle);
-    map_.insert(deskew(first_->patches, motion, first_->middle), motion_.T_map_last);
+    map_.insert(world_.first_patches(prior.velocity), Pose::Identity());
   }
   return alignment;
 }
@@ -84,44 +70,60 @@ ContinuousTimeAlignment TilthOdometry::register_patches(const SurfacePatches& pa
 Matrix6d TilthOdometry::covariance_of(const ContinuousTimeAlignment& alignment, double time) {
   const Pose& T_map_lidar = alignment.pose.T_target_source;
   const Matrix6d since_first =
-      uncertainty_.add({.time = time,
+      uncertainty_.add({.time = world_.age(time),
                         .T_map_lidar = T_map_lidar,
                         .covariance = options_.covariance_scale * alignment.covariance,
-                        .surfaces_seen_at = alignment.surfaces_seen_at.value_or(last_middle_ - begin_),
+                        .surfaces_seen_at = alignment.surfaces_seen_at.value_or(world_.age(motion_.last_time())),
                         .dead_reckoned = alignment.dead_reckoned});
-  if (is_first(alignment)) return since_first;
+  if (world_.empty() && alignment.pose.converged) return since_first;
   // Hardly anything tells of the vibration of the first scan, whose pose all others are seen from.
-  const Vector6d first = observed_sigma(motion_.vibration, options_.align.vibration).variances();
+  const Vector6d first = motion_.vibration().observed().variances();
   const Matrix6d to_lidar = adjoint(T_map_lidar.inverse());
   return since_first + to_lidar * first.asDiagonal() * to_lidar.transpose();
 }
 
-void TilthOdometry::insert(const SurfacePatches& patches, double middle, const ContinuousTimeAlignment& alignment) {
-  const bool first = is_first(alignment);
-  if (first) first_ = {patches, middle};
-  motion_ = next(motion_, alignment);
+void TilthOdometry::insert(const ScanPatches& scan, const ContinuousTimeAlignment& alignment) {
+  const bool first = world_.empty();
+  if (first && !alignment.pose.converged) return;
+  if (first) world_.begin(scan);
+  motion_.update(scan.time(), alignment);
   if (!first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
-  const Pose& T_map_middle = alignment.pose.T_target_source;
   MotionInScan motion = alignment.motion;
-  motion.vibration = without(motion.vibration, motion_.vibration_mean);
-  map_.insert(deskew(patches, motion, middle), T_map_middle, last_middle_ - begin_);
+  motion.vibration = motion_.vibration().without_mean(motion.vibration);
+  const Pose& T_map_middle = alignment.pose.T_target_source;
+  map_.insert(deskew(scan.patches, motion, scan.middle()), T_map_middle, world_.age(scan.time()));
   map_.crop(T_map_middle.translation());
-  if (++registered_ != 2) return;
-  first_->motion = motion_;
-  first_->motion.interval = begin_ - last_middle_;
+  if (!first && world_.awaits_second()) world_.add_second(motion_.predict(world_.first_time()));
 }
 
 void TilthOdometry::reanchor() {
-  first_->motion.vibration = motion_.vibration;
-  const ContinuousTimeAlignment first = align_to_map(first_->patches, first_->middle, first_->motion);
-  if (first.pose.converged) T_world_map_ = pose_in_scan(first, (2 * options_.pose_at - 1) * first_->middle).inverse();
-  first_.reset();
+  const ScanPatches& first = world_.first_scan();
+  const ContinuousTimeAlignment alignment =
+      align_to_map(first, world_.prior_of_first(motion_.vibration().sigma()));
+  world_.anchor(alignment.pose.converged ? std::optional(pose_in_scan(alignment, first)) : std::nullopt);
+}
+
+Pose TilthOdometry::pose_in_scan(const ContinuousTimeAlignment& alignment, const ScanPatches& scan) const {
+  return alignment.pose.T_target_source * alignment.motion.at(lever_of_pose(scan));
+}
+
+OdometryResult TilthOdometry::result_of(const ContinuousTimeAlignment& alignment, const ScanPatches& scan) const {
+  OdometryResult result;
+  result.alignment = alignment.pose;
+  result.alignment.T_target_source = world_.T_world_map() * alignment.pose.T_target_source;
+  result.motion = alignment.motion.from(lever_of_pose(scan));
+  result.stamp = scan.stamp + options_.pose_at * scan.duration;
+  result.T_world_lidar = world_.T_world_map() * pose_in_scan(alignment, scan);
+  const auto flat = std::count_if(scan.patches.begin(), scan.patches.end(), [](const SurfacePatch& p) { return p.flat; });
+  result.counts.planes = std::size_t(flat);
+  result.counts.edges = scan.patches.size() - std::size_t(flat);
+  return result;
 }
 
 PointCloud TilthOdometry::local_map() const {
   PointCloud map;
   map.points = map_.means();
-  return transform(map, T_world_map_);
+  return transform(map, world_.T_world_map());
 }
 
 }  // namespace tilth

@@ -2,15 +2,14 @@
 // face, and pose and velocity estimated together.
 #pragma once
 
-#include <optional>
-
 #include <tilth/features/surface_patches.hpp>
 #include <tilth/map/patch_map.hpp>
+#include <tilth/odometry/motion_filter.hpp>
 #include <tilth/odometry/odometry.hpp>
 #include <tilth/odometry/pose_uncertainty.hpp>
+#include <tilth/odometry/world_frame.hpp>
 #include <tilth/preprocess/ring_support.hpp>
 #include <tilth/registration/continuous_time_registration.hpp>
-#include <tilth/registration/vibration.hpp>
 
 namespace tilth {
 
@@ -47,37 +46,31 @@ void visit(TilthOptions& o, V&& v) {
 
 class TilthOdometry : public Odometry {
  public:
-  explicit TilthOdometry(const TilthOptions& options) : options_(options), map_(options.map) {
-    motion_.vibration = first_evidence(options.align.vibration);
-  }
+  explicit TilthOdometry(const TilthOptions& options)
+      : options_(options), map_(options.map), motion_(options.align.vibration), world_(options.reanchor_after) {}
   OdometryResult register_scan(const Scan& scan) override;
   PointCloud local_map() const override;
 
  private:
-  ContinuousTimeAlignment align_to_map(const SurfacePatches& patches, double middle, const MotionPrior& prior) const;
-  ContinuousTimeAlignment register_patches(const SurfacePatches& patches, double middle);
+  ContinuousTimeAlignment align(const ScanPatches& scan, const MotionPrior& prior);
+  ContinuousTimeAlignment align_to_map(const ScanPatches& scan, const MotionPrior& prior) const;
+  /// The second scan tells how the sensor moved in the first one, which then is straightened anew.
+  ContinuousTimeAlignment align_second(const ScanPatches& scan, MotionPrior prior);
   Matrix6d covariance_of(const ContinuousTimeAlignment& alignment, double time);
-  /// Whether the world is the LiDAR in the scan of this alignment, which is not in the map yet.
-  bool is_first(const ContinuousTimeAlignment& alignment) const { return registered_ == 0 && alignment.pose.converged; }
-  void insert(const SurfacePatches& patches, double middle, const ContinuousTimeAlignment& alignment);
-  /// Lays the world where the first scan is in the map of now.
+  /// What the scan leaves for those that follow.
+  void insert(const ScanPatches& scan, const ContinuousTimeAlignment& alignment);
   void reanchor();
 
-  struct FirstScan {
-    SurfacePatches patches;
-    double middle;            ///< [s] since its stamp
-    MotionPrior motion = {};  ///< from the second scan back; known once that is in the map
-  };
+  /// [s] from the middle of the scan to the instant of its pose.
+  double lever_of_pose(const ScanPatches& scan) const { return (options_.pose_at - 0.5) * scan.duration; }
+  Pose pose_in_scan(const ContinuousTimeAlignment& alignment, const ScanPatches& scan) const;
+  OdometryResult result_of(const ContinuousTimeAlignment& alignment, const ScanPatches& scan) const;
 
   TilthOptions options_;
   RingLayout rings_;  // of the scan
   PatchMap map_;
-  MotionPrior motion_;
-  double last_middle_ = 0.0;        // [s] of the last scan
-  std::size_t registered_ = 0;      // scans in the map
-  double begin_ = 0.0;              // [s] middle of the first scan
-  std::optional<FirstScan> first_;  // until the world is settled, which until then is the map's frame
-  Pose T_world_map_ = Pose::Identity();
+  MotionFilter motion_;
+  WorldFrame world_;
   PoseUncertainty uncertainty_;
 };
 

@@ -87,9 +87,8 @@ double residual_scale(const PatchPairs& pairs, double error) {
 
 ScanPrior scan_prior(const MotionPrior& motion, double middle, const ContinuousTimeOptions& options) {
   if (!motion.known || !(middle > 0)) return {motion};
-  const VibrationSigma spread = vibration_sigma(motion.vibration, options.vibration);
-  if (spread.none()) return {motion};
-  return {motion, spread, knot_precision(2 * middle, options.vibration)};
+  if (motion.vibration.none()) return {motion};
+  return {motion, motion.vibration, knot_precision(2 * middle, options.vibration)};
 }
 
 bool gauss_newton_step(const PatchPairs& pairs, const ScanPrior& prior, const ContinuousTimeOptions& options,
@@ -108,7 +107,7 @@ bool gauss_newton_step(const PatchPairs& pairs, const ScanPrior& prior, const Co
   if (prior.spread.none() || !narrow(state, options)) {
     if (!step_steady(system, step)) return false;
   } else {
-    const VibratingScan scan{mean_gain(std::abs(prior.motion.interval)), scale, prior.knots};
+    const VibratingScan scan{prior.motion.vibration_gain, scale, prior.knots};
     vibration = vibration_prior(prior.spread, prior.motion.vibration_mean, scan, options.vibration);
     const VibrationSystem whole = vibration_system(at_state.parts, system, vibration, state);
     vibration_factor.emplace(whole.H);

@@ -1,13 +1,10 @@
-#include <cmath>
-
 #include <tilth/registration/motion_prior.hpp>
-#include <tilth/registration/vibration.hpp>
 
 namespace tilth {
 namespace {
 
 Vector6d motion_since_last(const MotionPrior& prior, const Pose& T_map_lidar) {
-  return log(prior.T_map_last.inverse() * T_map_lidar) / prior.interval;
+  return mean_velocity(prior.T_map_last, T_map_lidar, prior.interval);
 }
 
 Vector6d variances_of(double rotation_sigma, double translation_sigma) {
@@ -30,24 +27,6 @@ Vector6d pose_variances(const MotionPrior& prior, const ContinuousTimeOptions& o
 
 double steady_shift(const MotionPrior& prior, const ContinuousTimeOptions& options) {
   return 0.5 * prior.interval * prior.interval * options.steady_acceleration;
-}
-
-MotionPrior next(const MotionPrior& prior, const ContinuousTimeAlignment& alignment) {
-  const Pose& T_map_last = alignment.pose.T_target_source;
-  const bool known = prior.interval > 0 && alignment.pose.matches > 0;
-  const Vector6d motion = known ? motion_since_last(prior, T_map_last) : prior.last_motion;
-  constexpr double kMemory = 1.0;  // [s] of the steady velocity
-  const double fresh = prior.known ? 1 - std::exp(-prior.interval / kMemory) : 1.0;
-  const Vector6d steady = prior.steady_velocity + fresh * (motion - prior.steady_velocity);
-  return {T_map_last,
-          alignment.motion.velocity,
-          motion,
-          known && prior.known ? Vector6d((motion - prior.last_motion) / prior.interval) : Vector6d(Vector6d::Zero()),
-          steady,
-          0.0,
-          faded_sum(prior.vibration, alignment.evidence, prior.interval),
-          mean_with(prior.vibration_mean, alignment.motion.vibration, mean_gain(prior.interval)),
-          prior.known || known};
 }
 
 void add_pose_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state,

@@ -17,10 +17,16 @@ struct MotionPrior {
   Vector6d last_change = Vector6d::Zero();      ///< [rad/s^2, m/s^2] of that mean velocity, since the one before
   Vector6d steady_velocity = Vector6d::Zero();  ///< [rad/s, m/s] mean of about the last second
   double interval = 0.0;                        ///< [s] since the last pose; below 0 where that came after
-  VibrationEvidence vibration = {};             ///< of about the last two seconds
-  ScanVibration vibration_mean = {};            ///< of about the last three seconds
+  VibrationSigma vibration = {};                ///< of the scan's vibration; none: none is estimated
+  ScanVibration vibration_mean = {};            ///< of the last scans' vibrations
+  double vibration_gain = 0.0;                  ///< weight of the scan in that mean
   bool known = false;                           ///< false: nothing is known of the motion yet, only that it is steady
 };
+
+/// [rad/s, m/s] of a motion that leads from one pose to the other in `interval` [s], in the LiDAR's frame.
+inline Vector6d mean_velocity(const Pose& T_map_last, const Pose& T_map_lidar, double interval) {
+  return log(T_map_last.inverse() * T_map_lidar) / interval;
+}
 
 /// Where the velocity expected leads to.
 inline Pose predicted(const MotionPrior& prior) {
@@ -32,9 +38,6 @@ Vector6d pose_variances(const MotionPrior& prior, const ContinuousTimeOptions& o
 
 /// [rad, m] standard deviation of a pose that goes on at the velocity of the last second.
 double steady_shift(const MotionPrior& prior, const ContinuousTimeOptions& options);
-
-/// What is known after a scan, for the next one; `interval` is still to be set.
-MotionPrior next(const MotionPrior& prior, const ContinuousTimeAlignment& alignment);
 
 /// The pose is where the velocity expected leads to, give or take the accelerations that a robot is capable of.
 void add_pose_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state,

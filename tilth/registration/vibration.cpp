@@ -36,29 +36,6 @@ double sinc(double x) {
 
 }  // namespace
 
-VibrationSigma observed_sigma(const VibrationEvidence& evidence, const VibrationOptions& options) {
-  constexpr double kDoubt = 20;  // deviations that speak for the least spread
-  const auto spread = [&](int i, double least) {
-    return std::sqrt((evidence.squares[i] + kDoubt * least * least) / (evidence.freedom[i] + kDoubt));
-  };
-  return {spread(0, options.least_rotation), spread(1, options.least_rotation), spread(2, options.least_translation)};
-}
-
-VibrationSigma vibration_sigma(const VibrationEvidence& evidence, const VibrationOptions& options) {
-  const auto within = [](double least, double seen, double most) { return std::min(std::max(seen, least), most); };
-  const VibrationSigma seen = observed_sigma(evidence, options);
-  const double tilt = within(options.least_rotation, seen.tilt, options.tilt);
-  return {tilt, within(options.least_rotation, seen.yaw, options.yaw + options.yaw_ratio * tilt),
-          within(options.least_translation, seen.translation,
-                 std::min(options.translation, options.least_translation + options.lever * tilt))};
-}
-
-VibrationEvidence first_evidence(const VibrationOptions& options) {
-  constexpr double kDeviations = 8;
-  const Eigen::Array3d first(options.first_tilt, options.first_tilt, options.first_translation);
-  return {kDeviations * first.square().matrix(), Eigen::Vector3d::Constant(kDeviations)};
-}
-
 // The correlation of noise of a flat spectrum between two frequencies.
 KnotMatrix knot_precision(double duration, const VibrationOptions& options) {
   constexpr double kRest = 0.01;  // of the variance: beside the band
@@ -85,29 +62,6 @@ VibrationPrior vibration_prior(const VibrationSigma& spread, const ScanVibration
   for (std::size_t i = 0; i < mean.knots.size(); ++i)
     prior.means.knots[i] = -pull * (1 - scan.ratio) / narrowing * mean.knots[i];
   return prior;
-}
-
-double mean_gain(double interval) {
-  constexpr double kMemory = 3.0;  // [s]
-  return 1 - std::exp(-interval / kMemory);
-}
-
-VibrationEvidence faded_sum(const VibrationEvidence& old, const VibrationEvidence& fresh, double interval) {
-  constexpr double kMemory = 2.0;  // [s]
-  const double left = std::exp(-interval / kMemory);
-  return {left * old.squares + fresh.squares, left * old.freedom + fresh.freedom};
-}
-
-ScanVibration mean_with(const ScanVibration& mean, const ScanVibration& vibration, double ratio) {
-  ScanVibration next = mean;
-  for (std::size_t i = 0; i < next.knots.size(); ++i) next.knots[i] += ratio * (vibration.knots[i] - mean.knots[i]);
-  return next;
-}
-
-ScanVibration without(const ScanVibration& vibration, const ScanVibration& mean) {
-  ScanVibration rest = vibration;
-  for (std::size_t i = 0; i < rest.knots.size(); ++i) rest.knots[i] -= mean.knots[i];
-  return rest;
 }
 
 VibrationSystem vibration_system(const SegmentSystems& parts, const ContinuousTimeSystem& smooth,

@@ -1,6 +1,6 @@
 // The vibration of a scan, estimated together with its pose and velocity: deviations from constant acceleration at nine
-// instants, as large as the last scans have shown them to be (empirical Bayes, after MacKay 1992). A robot that rolls
-// smoothly has next to none, a shaking cart tenths of a degree.
+// instants, as large as the last scans have shown them to be. A robot that rolls smoothly has next to none, a shaking
+// cart tenths of a degree.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -10,31 +10,6 @@
 #include <tilth/registration/vibration_options.hpp>
 
 namespace tilth {
-
-/// Standard deviations of the vibration.
-struct VibrationSigma {
-  double tilt = 0.0;         ///< [rad] about x and y of the LiDAR
-  double yaw = 0.0;          ///< [rad] about z, the axis of its spin
-  double translation = 0.0;  ///< [m] along each axis
-
-  bool none() const { return tilt == 0.0 || yaw == 0.0 || translation == 0.0; }
-
-  Vector6d variances() const {
-    Vector6d v;
-    v << tilt * tilt, tilt * tilt, yaw * yaw, Eigen::Vector3d::Constant(translation * translation);
-    return v;
-  }
-};
-
-/// As the last scans have shown it.
-VibrationSigma observed_sigma(const VibrationEvidence& evidence, const VibrationOptions& options);
-
-/// The same within the bounds of the options, by which parts of the map stay together.
-VibrationSigma vibration_sigma(const VibrationEvidence& evidence, const VibrationOptions& options);
-
-/// What is believed before the first scans: a platform may shake, until they show that it does not. A spread that
-/// began at its least would be slow to leave it, for as long as the map takes up what vibration there is.
-VibrationEvidence first_evidence(const VibrationOptions& options);
 
 /// Of the values of a coordinate at the knots.
 using KnotMatrix = Eigen::Matrix<double, ScanVibration::kIntervals + 1, ScanVibration::kIntervals + 1>;
@@ -63,19 +38,6 @@ struct VibratingScan {
 /// over three seconds is held to zero as well. `mean` is that of those before the scan.
 VibrationPrior vibration_prior(const VibrationSigma& spread, const ScanVibration& mean, const VibratingScan& scan,
                                const VibrationOptions& options);
-
-/// The weight of a scan in the mean of about three seconds, `interval` [s] after the last one.
-double mean_gain(double interval);
-
-/// What is left of the evidence after `interval` [s], and the fresh one.
-VibrationEvidence faded_sum(const VibrationEvidence& old, const VibrationEvidence& fresh, double interval);
-
-/// The mean after a scan of this vibration.
-ScanVibration mean_with(const ScanVibration& mean, const ScanVibration& vibration, double ratio);
-
-/// What of a vibration goes to and fro. The mean that it is seen about is an error of the map: what is put into the map
-/// without it lets the map come to rest where no instant of a scan leads another.
-ScanVibration without(const ScanVibration& vibration, const ScanVibration& mean);
 
 /// Pose, velocity and vibration of one linearisation: H x = -b.
 struct VibrationSystem {
