@@ -29,8 +29,8 @@ void align_features(benchmark::State& state, const Associate& associate) {
   AlignResult result;
   for (auto _ : state) {
     MatchedPatches<MapSurface> source{c.features};
-    result = align(T_start, options.align,
-                   [&](const Pose& T) { return associate(source, T, c.map, options.association); });
+    result =
+        align(T_start, options.align, [&](const Pose& T) { return associate(source, T, c.map, options.association); });
   }
   report(state, result, c.scan.T_world_middle);
 }

@@ -25,12 +25,12 @@ TEST(SymmetricEigen, AgreesWithAnIterativeSolver) {
     const double a = exponent(rng), b = exponent(rng), c = exponent(rng);
     const Eigen::Matrix3d C = covariance_of({std::pow(10, a), std::pow(10, b), std::pow(10, c)}, rng);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> exact(C);
-    const Eigen::Vector3d found = eigenvalues(C);
+    const Eigen::Vector3d found = eigenvalues(Symmetric3d::of(C));
     const double most = exact.eigenvalues()[2], gap = exact.eigenvalues()[1] - exact.eigenvalues()[0];
     EXPECT_LT((found - exact.eigenvalues()).norm(), 1e-5 * most);
     EXPECT_NEAR(found[0], exact.eigenvalues()[0], 1e-6 * exact.eigenvalues()[0] + 1e-12 * most);
     if (gap < 1e-2 * exact.eigenvalues()[1]) continue;  // nearly two directions of least spread
-    const Eigen::Vector3d direction = smallest_eigenvector(C, found[0]);
+    const Eigen::Vector3d direction = smallest_eigenvector(Symmetric3d::of(C), found[0]);
     EXPECT_NEAR(direction.norm(), 1, 1e-12);
     EXPECT_GT(std::abs(direction.dot(exact.eigenvectors().col(0))), 1 - 1e-6);
   }
@@ -42,7 +42,8 @@ TEST(SymmetricEigen, OfPlanesLinesBallsAndPoints) {
        {Eigen::Vector3d(0, 1, 1), Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(0, 0, 0),
         Eigen::Vector3d(1e-9, 2e-3, 5e-3), Eigen::Vector3d(3, 3, 5)}) {
     const Eigen::Matrix3d C = covariance_of(variances, rng);
-    const Eigen::Vector3d found = eigenvalues(C), direction = smallest_eigenvector(C, found[0]);
+    const Eigen::Vector3d found = eigenvalues(Symmetric3d::of(C)),
+                          direction = smallest_eigenvector(Symmetric3d::of(C), found[0]);
     EXPECT_LT((found - variances).norm(), 1e-4 * (1e-9 + variances.norm()));  // a triple root is ill-conditioned
     EXPECT_NEAR(direction.norm(), 1, 1e-12);
     EXPECT_LT((C * direction - found[0] * direction).norm(), 1e-4 * (1e-9 + variances.norm()));

@@ -28,7 +28,7 @@ PlaneShape shape_of(const RunSet& set) {
   for (const Moments* other : {set[1], set[2]}) {
     if (other != nullptr) joined.add(*other);
   }
-  return {joined.covariance_entries(), eigenvalues(joined.covariance())};
+  return {joined.covariance(), eigenvalues(joined.covariance())};
 }
 
 TEST(JoinedShapes, OfManySetsAreThoseOfEach) {
@@ -42,7 +42,7 @@ TEST(JoinedShapes, OfManySetsAreThoseOfEach) {
     std::vector<PlaneShape> shapes(count);
     join_runs(sets, shapes);
     for (std::size_t i = 0; i < count; ++i) {
-      EXPECT_EQ(shapes[i].covariance, shape_of(sets[i]).covariance) << i;
+      EXPECT_EQ(shapes[i].covariance.entries, shape_of(sets[i]).covariance.entries) << i;
       EXPECT_EQ(shapes[i].variances, shape_of(sets[i]).variances) << i;
     }
   }

@@ -43,7 +43,7 @@ Judged judge(const Runs& runs) {
     judged.runs[i] = moments_of(runs[i]);
     joined.add(judged.runs[i]);
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(joined.covariance());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(joined.covariance().matrix());
   judged.normal = eigen.eigenvectors().col(0);
   judged.misfit = plane_misfit({&judged.runs[0], &judged.runs[1], &judged.runs[2]}, judged.normal);
   return judged;

@@ -1,7 +1,6 @@
 // How large vibrations are taken to be: as scans have shown it; and their mean, which is none.
-#include <tilth/odometry/vibration_filter.hpp>
-
 #include "registration/made_vibrations.hpp"
+#include <tilth/odometry/vibration_filter.hpp>
 
 namespace tilth {
 namespace {

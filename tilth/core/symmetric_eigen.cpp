@@ -14,11 +14,11 @@ struct Cubic {
   double trace, minors, determinant;
 };
 
-/// Of a matrix given by its entries xx, yy, zz, xy, yz, zx.
-Cubic characteristic(const Eigen::Matrix<double, 6, 1>& C) {
-  const double xx = C[0], yy = C[1], zz = C[2], xy = C[3], yz = C[4], zx = C[5];
-  const double m0 = yy * zz - yz * yz, m1 = xx * zz - zx * zx, m2 = xx * yy - xy * xy;
-  return {xx + yy + zz, m0 + m1 + m2, xx * m0 - xy * (xy * zz - yz * zx) + zx * (xy * yz - yy * zx)};
+Cubic characteristic(const Symmetric3d& C) {
+  const double xx = C.entries[0], yy = C.entries[1], zz = C.entries[2];
+  const double xy = C.entries[3], yz = C.entries[4], xz = C.entries[5];
+  const double m0 = yy * zz - yz * yz, m1 = xx * zz - xz * xz, m2 = xx * yy - xy * xy;
+  return {xx + yy + zz, m0 + m1 + m2, xx * m0 - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz)};
 }
 
 // Laguerre's method ascends from 0 to the least root, in two to four steps unless all three are nearly one: what it
@@ -49,14 +49,13 @@ Eigen::Vector3d roots(const Cubic& c, double least) {
 
 }  // namespace
 
-Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& C) {
-  Eigen::Matrix<double, 6, 1> entries;
-  entries << C(0, 0), C(1, 1), C(2, 2), C(0, 1), C(1, 2), C(0, 2);
-  const Cubic c = characteristic(entries);
+Eigen::Vector3d eigenvalues(const Symmetric3d& covariance) {
+  const Cubic c = characteristic(covariance);
   return roots(c, least_root(c));
 }
 
-Eigen::Vector3d smallest_eigenvector(const Eigen::Matrix3d& covariance, double least) {
+Eigen::Vector3d smallest_eigenvector(const Symmetric3d& packed, double least) {
+  const Eigen::Matrix3d covariance = packed.matrix();
   const Eigen::Matrix3d shifted = covariance - least * Eigen::Matrix3d::Identity();
   // It is normal to every row; the two that are least parallel tell best.
   const Eigen::Vector3d normals[] = {shifted.col(0).cross(shifted.col(1)), shifted.col(1).cross(shifted.col(2)),

@@ -19,13 +19,13 @@ using Doubles = hn::Vec<D>;
 
 constexpr std::size_t kLanes = HWY_LANES(double), kSums = 10;
 
-/// Moments, a set a lane: as Moments::add() and Moments::covariance_entries(), of which normalize() makes the entries.
+/// Moments, a set a lane: as Moments::add(), and after normalize() as Moments::covariance().
 struct LaneMoments {
-  Doubles count, x, y, z, xx, yy, zz, xy, yz, zx;
+  Doubles count, x, y, z, xx, yy, zz, xy, yz, xz;
 
   HWY_INLINE explicit LaneMoments(const double* sums) {
     const D d;
-    Doubles* const all[kSums] = {&count, &x, &y, &z, &xx, &yy, &zz, &xy, &yz, &zx};
+    Doubles* const all[kSums] = {&count, &x, &y, &z, &xx, &yy, &zz, &xy, &yz, &xz};
     HWY_UNROLL(10) for (std::size_t i = 0; i < kSums; ++i) * all[i] = hn::Load(d, sums + i * kLanes);
   }
 
@@ -36,7 +36,7 @@ struct LaneMoments {
     const auto grow = [&](Doubles& sum, Doubles more, Doubles product)
                           HWY_ATTR { sum = hn::Add(sum, hn::Add(more, hn::Mul(weight, product))); };
     grow(xx, other.xx, hn::Mul(dx, dx)), grow(yy, other.yy, hn::Mul(dy, dy)), grow(zz, other.zz, hn::Mul(dz, dz));
-    grow(xy, other.xy, hn::Mul(dx, dy)), grow(yz, other.yz, hn::Mul(dy, dz)), grow(zx, other.zx, hn::Mul(dz, dx));
+    grow(xy, other.xy, hn::Mul(dx, dy)), grow(yz, other.yz, hn::Mul(dy, dz)), grow(xz, other.xz, hn::Mul(dz, dx));
     x = hn::Add(x, hn::Mul(dx, ratio)), y = hn::Add(y, hn::Mul(dy, ratio)), z = hn::Add(z, hn::Mul(dz, ratio));
     count = total;
   }
@@ -44,7 +44,7 @@ struct LaneMoments {
   /// Divides by the number of points, less one.
   HWY_INLINE void normalize() {
     const Doubles one = hn::Set(D(), 1.0), per_point = hn::Div(one, hn::Max(one, hn::Sub(count, one)));
-    Doubles* const all[6] = {&xx, &yy, &zz, &xy, &yz, &zx};
+    Doubles* const all[6] = {&xx, &yy, &zz, &xy, &yz, &xz};
     HWY_UNROLL(6) for (std::size_t i = 0; i < 6; ++i) * all[i] = hn::Mul(*all[i], per_point);
   }
 };
@@ -55,12 +55,12 @@ struct LaneEigenvalues {
 
   HWY_INLINE explicit LaneEigenvalues(const LaneMoments& c) {
     const Doubles m0 = hn::Sub(hn::Mul(c.yy, c.zz), hn::Mul(c.yz, c.yz));
-    const Doubles m1 = hn::Sub(hn::Mul(c.xx, c.zz), hn::Mul(c.zx, c.zx));
+    const Doubles m1 = hn::Sub(hn::Mul(c.xx, c.zz), hn::Mul(c.xz, c.xz));
     const Doubles m2 = hn::Sub(hn::Mul(c.xx, c.yy), hn::Mul(c.xy, c.xy));
     trace = hn::Add(hn::Add(c.xx, c.yy), c.zz);
     minors = hn::Add(hn::Add(m0, m1), m2);
-    const Doubles second = hn::Mul(c.xy, hn::Sub(hn::Mul(c.xy, c.zz), hn::Mul(c.yz, c.zx)));
-    const Doubles third = hn::Mul(c.zx, hn::Sub(hn::Mul(c.xy, c.yz), hn::Mul(c.yy, c.zx)));
+    const Doubles second = hn::Mul(c.xy, hn::Sub(hn::Mul(c.xy, c.zz), hn::Mul(c.yz, c.xz)));
+    const Doubles third = hn::Mul(c.xz, hn::Sub(hn::Mul(c.xy, c.yz), hn::Mul(c.yy, c.xz)));
     determinant = hn::Add(hn::Sub(hn::Mul(c.xx, m0), second), third);
   }
 
@@ -100,18 +100,18 @@ struct LaneEigenvalues {
 HWY_INLINE void put_in_lane(const Moments& m, std::size_t lane, double* sums) {
   sums[lane] = m.count;
   for (std::size_t i = 0; i < 3; ++i) sums[(1 + i) * kLanes + lane] = m.mean[Eigen::Index(i)];
-  for (std::size_t i = 0; i < 6; ++i) sums[(4 + i) * kLanes + lane] = m.scatter[Eigen::Index(i)];
+  for (std::size_t i = 0; i < 6; ++i) sums[(4 + i) * kLanes + lane] = m.scatter.entries[Eigen::Index(i)];
 }
 
 /// The first `count` lanes.
 void write(const LaneMoments& c, const LaneEigenvalues& eigenvalues, std::size_t count, PlaneShape* shapes) {
   const D d;
   HWY_ALIGN double entries[6 * kLanes], variances[3 * kLanes];
-  const Doubles* const all[6] = {&c.xx, &c.yy, &c.zz, &c.xy, &c.yz, &c.zx};
+  const Doubles* const all[6] = {&c.xx, &c.yy, &c.zz, &c.xy, &c.yz, &c.xz};
   HWY_UNROLL(6) for (std::size_t i = 0; i < 6; ++i) hn::Store(*all[i], d, entries + i * kLanes);
   eigenvalues.store(variances);
   for (std::size_t lane = 0; lane < count; ++lane) {
-    for (std::size_t i = 0; i < 6; ++i) shapes[lane].covariance[Eigen::Index(i)] = entries[i * kLanes + lane];
+    for (std::size_t i = 0; i < 6; ++i) shapes[lane].covariance.entries[Eigen::Index(i)] = entries[i * kLanes + lane];
     for (std::size_t i = 0; i < 3; ++i) shapes[lane].variances[Eigen::Index(i)] = variances[i * kLanes + lane];
   }
 }

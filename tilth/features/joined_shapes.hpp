@@ -13,7 +13,7 @@ namespace tilth {
 using RunSet = std::array<const Moments*, 3>;
 
 struct PlaneShape {
-  Vector6d covariance;        ///< [m^2] of all points: xx, yy, zz, xy, yz, zx
+  Symmetric3d covariance;     ///< [m^2] of all points
   Eigen::Vector3d variances;  ///< [m^2] its eigenvalues, ascending
 };
 

@@ -3,21 +3,13 @@
 #include <tilth/features/plane_misfit.hpp>
 
 namespace tilth {
-namespace {
-
-double along(const Vector6d& scatter, const Eigen::Vector3d& n) {
-  return scatter[0] * n.x() * n.x() + scatter[1] * n.y() * n.y() + scatter[2] * n.z() * n.z() +
-         2 * (scatter[3] * n.x() * n.y() + scatter[4] * n.y() * n.z() + scatter[5] * n.z() * n.x());
-}
-
-}  // namespace
 
 PlaneMisfit plane_misfit(const RunSet& three, const Eigen::Vector3d& normal) {
   PlaneMisfit misfit;
   double heights = 0, squares = 0;  // of the means over the first one
   for (const Moments* run : three) {
     const double height = normal.dot(run->mean - three[0]->mean);
-    misfit.within += along(run->scatter, normal);
+    misfit.within += run->scatter.along(normal);
     misfit.points += run->count;
     heights += run->count * height;
     squares += run->count * height * height;

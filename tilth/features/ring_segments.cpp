@@ -115,19 +115,15 @@ void measure(Sightings& s, float step, const SegmentOptions& options) {
 
 /// Sums over a run about its first point.
 struct RunSums {
-  float x = 0, y = 0, z = 0, xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
+  float x = 0, y = 0, z = 0, xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, xz = 0;
   double time = 0;
 
   /// Moments about the mean of `count` points, the first at `first`; `turn` is -1 where y is mirrored, else 1.
   Moments moments(const Eigen::Vector3d& first, std::size_t count, double turn) const {
     const auto n = double(count);
     const Eigen::Vector3d offset = Eigen::Vector3d(double(x), turn * double(y), double(z)) / n;
-    Vector6d scatter;
-    scatter << double(xx), double(yy), double(zz), turn * double(xy), turn * double(yz), double(zx);
-    const double ox = offset.x(), oy = offset.y(), oz = offset.z();
-    Vector6d about_mean;
-    about_mean << ox * ox, oy * oy, oz * oz, ox * oy, oy * oz, oz * ox;
-    return {n, first + offset, scatter - n * about_mean};
+    const Symmetric3d sum{{double(xx), double(yy), double(zz), turn * double(xy), turn * double(yz), double(xz)}};
+    return {n, first + offset, sum - n * Symmetric3d::product(offset, offset)};
   }
 };
 
@@ -142,7 +138,7 @@ void cut(const Sightings& s, double turn, const SegmentOptions& options, std::ve
       if (xx + yy + zz > s.reach[end]) break;
       sums.x += dx, sums.y += dy, sums.z += dz;
       sums.xx += xx, sums.yy += yy, sums.zz += zz;
-      sums.xy += dx * dy, sums.yz += dy * dz, sums.zx += dz * dx;
+      sums.xy += dx * dy, sums.yz += dy * dz, sums.xz += dz * dx;
       sums.time += double(s.time[end]);
     }
     const std::size_t count = end - begin;

@@ -18,12 +18,6 @@ bool is_within(double reach, const RingSegment* a, const RingSegment& b) {
   return a != nullptr && (a->moments.mean - b.moments.mean).norm() < reach;
 }
 
-Eigen::Matrix3d symmetric(const Vector6d& c) {
-  Eigen::Matrix3d m;
-  m << c[0], c[3], c[5], c[3], c[1], c[4], c[5], c[4], c[2];
-  return m;
-}
-
 // Looks for the flattest plane through each run of a ring and runs beside it, for all runs at once.
 class RingFitter {
  public:
@@ -49,7 +43,7 @@ class RingFitter {
     bool is_pole;  // which is no plane whatever lies beside it
     bool flat = false, shaped = false;
     double least = 0;  // [m^2] variance of the flattest plane; the greatest there may be as long as there is none
-    Vector6d covariance = Vector6d::Zero();  // [m^2] of its points
+    Symmetric3d covariance = {};  // [m^2] of its points
   };
 
   void begin(std::size_t ring) {
@@ -84,7 +78,7 @@ class RingFitter {
   // Two lines are always in one plane.
   bool one_plane(const RunSet& set, const PlaneShape& shape) const {
     if (set[2] == nullptr) return true;
-    const Eigen::Vector3d normal = smallest_eigenvector(symmetric(shape.covariance), shape.variances[0]);
+    const Eigen::Vector3d normal = smallest_eigenvector(shape.covariance, shape.variances[0]);
     return is_one_plane(plane_misfit(set, normal), options_.max_misfit, options_.roughness);
   }
 
@@ -146,10 +140,9 @@ class RingFitter {
   SurfacePatch patch_of(std::size_t run, std::size_t ring) const {
     const RingSegment& self = *columns_[run][kSelf];
     const Fit& fit = fits_[run];
-    const Eigen::Matrix3d covariance = symmetric(fit.covariance);
-    const Eigen::Vector3d normal = smallest_eigenvector(covariance, fit.least);
+    const Eigen::Vector3d normal = smallest_eigenvector(fit.covariance, fit.least);
     return {.mean = self.moments.mean,
-            .covariance = covariance,
+            .covariance = fit.covariance.matrix(),
             .normal = normal.dot(self.moments.mean) > 0 ? Eigen::Vector3d(-normal) : normal,
             .time = self.time,
             .thickness = float(std::max(0.0, fit.least)),

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <tilth/core/flatness.hpp>
-#include <tilth/core/rotated_covariance.hpp>
 #include <tilth/core/symmetric_eigen.hpp>
 #include <tilth/map/patch_map.hpp>
 #include <tilth/map/voxel_blocks.hpp>
@@ -26,15 +25,6 @@ int facing(const Eigen::Vector3d& normal, bool flat) {
   int axis;
   normal.cwiseAbs().maxCoeff(&axis);
   return 2 * axis + (normal[axis] > 0);
-}
-
-// Where the six entries of the upper half of a symmetric matrix stand.
-constexpr std::array<int, 6> kRow{0, 0, 0, 1, 1, 2}, kColumn{0, 1, 2, 1, 2, 2};
-
-Vector6d upper_half(const Eigen::Matrix3d& m) {
-  Vector6d half;
-  half << m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2);
-  return half;
 }
 
 // Has all of `value` fetched from memory.
@@ -94,8 +84,8 @@ void PatchMap::add(const Placed& placed, const SurfacePatch& patch, const Eigen:
   const Eigen::Vector3d before = placed.mean - surface.mean;
   surface.mean += before / double(surface.patches);
   const Eigen::Vector3d after = placed.mean - surface.mean;
-  sums.scatter += upper_half(rotated(R_map_lidar, patch.covariance));
-  for (int k = 0; k < 6; ++k) sums.scatter[k] += before[kRow[k]] * after[kColumn[k]];  // Welford
+  sums.scatter += rotated(R_map_lidar, patch.covariance);
+  sums.scatter += Symmetric3d::product(before, after);  // Welford
   sums.normals += placed.normal;
   if (double(surface.patches) < kStale * double(sums.fresh_count)) return;
   refresh(sums, surface);
@@ -103,9 +93,7 @@ void PatchMap::add(const Placed& placed, const SurfacePatch& patch, const Eigen:
 }
 
 void PatchMap::refresh(const Sums& sums, MapSurface& surface) const {
-  Eigen::Matrix3d covariance;
-  for (int k = 0; k < 6; ++k)
-    covariance(kRow[k], kColumn[k]) = covariance(kColumn[k], kRow[k]) = sums.scatter[k] / double(surface.patches);
+  const Symmetric3d covariance = sums.scatter / double(surface.patches);
   const Eigen::Vector3d variances = eigenvalues(covariance);
   const double least = variances[0];
   const Eigen::Vector3d normal = smallest_eigenvector(covariance, least);
@@ -113,9 +101,10 @@ void PatchMap::refresh(const Sums& sums, MapSurface& surface) const {
   surface.variance = std::max(least, options_.surface_variance);
   surface.planar = surface.flat || (surface.patches >= std::uint32_t(options_.planar_patches) &&
                                     is_flat(variances, kFlatThickness * kFlatThickness));
-  surface.covariance = surface.flat ? Eigen::Matrix3d(kAlongSurface * Eigen::Matrix3d::Identity() +
-                                                      (surface.variance - kAlongSurface) * normal * normal.transpose())
-                                    : Eigen::Matrix3d(covariance + options_.blur * Eigen::Matrix3d::Identity());
+  surface.covariance = surface.flat
+                           ? Eigen::Matrix3d(kAlongSurface * Eigen::Matrix3d::Identity() +
+                                             (surface.variance - kAlongSurface) * normal * normal.transpose())
+                           : Eigen::Matrix3d(covariance.matrix() + options_.blur * Eigen::Matrix3d::Identity());
 }
 
 const MapSurface* PatchMap::find(const Eigen::Vector3d& point, const Eigen::Vector3d& normal, bool flat) const {

@@ -12,6 +12,7 @@
 
 #include <tilth/core/options.hpp>
 #include <tilth/core/surface_patch.hpp>
+#include <tilth/core/symmetric3.hpp>
 #include <tilth/core/voxel_table.hpp>
 
 namespace tilth {
@@ -79,7 +80,7 @@ class PatchMap {
   struct Sums {
     std::uint32_t block, cell;                          ///< where its number stands
     std::uint32_t fresh_count = 0;                      ///< patches when the surface was last made
-    Vector6d scatter = Vector6d::Zero();                ///< of the patches' means, and sum of their covariances
+    Symmetric3d scatter = {};                           ///< of the patches' means, and sum of their covariances
     Eigen::Vector3d normals = Eigen::Vector3d::Zero();  ///< sum over the patches
   };
 

@@ -58,7 +58,8 @@ class ImprovedFloam : public Odometry {
   PointCloud local_map() const override;
 
  private:
-  AlignResult register_features(MatchedPatches<MapSurface>& features, const Pose& T_start, const AlignOptions& align_options) const;
+  AlignResult register_features(MatchedPatches<MapSurface>& features, const Pose& T_start,
+                                const AlignOptions& align_options) const;
 
   ImprovedFloamOptions options_;
   OutlierFilter outliers_;

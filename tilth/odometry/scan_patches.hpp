@@ -10,7 +10,7 @@ struct ScanPatches {
   double duration = 0.0;   ///< [s] from it to the last one
   SurfacePatches patches;  ///< each as seen at its own time
 
-  double middle() const { return 0.5 * duration; }      ///< [s] since `stamp`
+  double middle() const { return 0.5 * duration; }        ///< [s] since `stamp`
   double time() const { return stamp + 0.5 * duration; }  ///< [s] of the middle
 };
 

@@ -98,8 +98,7 @@ void TilthOdometry::insert(const ScanPatches& scan, const ContinuousTimeAlignmen
 
 void TilthOdometry::reanchor() {
   const ScanPatches& first = world_.first_scan();
-  const ContinuousTimeAlignment alignment =
-      align_to_map(first, world_.prior_of_first(motion_.vibration().sigma()));
+  const ContinuousTimeAlignment alignment = align_to_map(first, world_.prior_of_first(motion_.vibration().sigma()));
   world_.anchor(alignment.pose.converged ? std::optional(pose_in_scan(alignment, first)) : std::nullopt);
 }
 
@@ -114,7 +113,8 @@ OdometryResult TilthOdometry::result_of(const ContinuousTimeAlignment& alignment
   result.motion = alignment.motion.from(lever_of_pose(scan));
   result.stamp = scan.stamp + options_.pose_at * scan.duration;
   result.T_world_lidar = world_.T_world_map() * pose_in_scan(alignment, scan);
-  const auto flat = std::count_if(scan.patches.begin(), scan.patches.end(), [](const SurfacePatch& p) { return p.flat; });
+  const auto flat =
+      std::count_if(scan.patches.begin(), scan.patches.end(), [](const SurfacePatch& p) { return p.flat; });
   result.counts.planes = std::size_t(flat);
   result.counts.edges = scan.patches.size() - std::size_t(flat);
   return result;

@@ -43,8 +43,7 @@ VibrationSigma VibrationFilter::sigma() const {
   const VibrationSigma seen = observed();
   const double tilt = within(o.least_rotation, seen.tilt, o.tilt);
   return {tilt, within(o.least_rotation, seen.yaw, o.yaw + o.yaw_ratio * tilt),
-          within(o.least_translation, seen.translation,
-                 std::min(o.translation, o.least_translation + o.lever * tilt))};
+          within(o.least_translation, seen.translation, std::min(o.translation, o.least_translation + o.lever * tilt))};
 }
 
 ScanVibration VibrationFilter::without_mean(const ScanVibration& vibration) const {

@@ -12,8 +12,8 @@ double mean_gain(double interval);
 
 class VibrationFilter {
  public:
-  /// At first a platform may shake, until scans show that it does not: a deviation that began at its least would be slow
-  /// to leave it, for as long as the map takes up what vibration there is.
+  /// At first a platform may shake, until scans show that it does not: a deviation that began at its least would be
+  /// slow to leave it, for as long as the map takes up what vibration there is.
   explicit VibrationFilter(const VibrationOptions& options);
 
   /// Takes the vibration of a scan, `interval` [s] after the last one, and what it tells about the size of vibrations.

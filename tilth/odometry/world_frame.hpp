@@ -1,5 +1,5 @@
-// The world is the LiDAR in its first scan. The map begins with that scan, which hardly anything tells how it was taken:
-// some seconds later it is registered to the map that has grown since, and the world laid where it is found.
+// The world is the LiDAR in its first scan. The map begins with that scan, which hardly anything tells how it was
+// taken: some seconds later it is registered to the map that has grown since, and the world laid where it is found.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <tilth/core/rotated_covariance.hpp>
+#include <tilth/core/symmetric3.hpp>
 #include <tilth/preprocess/deskew.hpp>
 
 namespace tilth {
@@ -13,7 +13,7 @@ SurfacePatches deskew(SurfacePatches patches, const MotionInScan& motion, double
     const Pose T = moved.at(patch.time);
     patch.mean = T * patch.mean;
     patch.normal = T.linear() * patch.normal;
-    patch.covariance = rotated(T.linear(), patch.covariance);
+    patch.covariance = rotated(T.linear(), patch.covariance).matrix();
   }
   return patches;
 }

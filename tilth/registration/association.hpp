@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <tilth/core/options.hpp>
-#include <tilth/core/rotated_covariance.hpp>
 #include <tilth/core/surface_patch.hpp>
+#include <tilth/core/symmetric3.hpp>
 #include <tilth/registration/residual.hpp>
 
 namespace tilth {
@@ -90,7 +90,7 @@ std::vector<DistributionToDistribution> associate_distributions(MatchedPatches<S
   pairs.reserve(source.patches.size());
   const Eigen::Matrix3d R = T.linear();
   for_each_match(source, T, map, options, [&](const SurfacePatch& patch, const auto& surface) {
-    Eigen::Matrix3d joint = rotated(R, patch.covariance) + surface.covariance;
+    Eigen::Matrix3d joint = rotated(R, patch.covariance).matrix() + surface.covariance;
     joint.diagonal().array() += 2 * options.lambda;  // lambda I in either covariance
     pairs.push_back({patch.mean, surface.mean, inverse_of(joint)});
   });

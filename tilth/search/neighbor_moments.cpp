@@ -23,7 +23,7 @@ constexpr std::size_t kLanes = HWY_LANES(float);
 struct Sums {
   alignas(64) float offsets[4 * kLanes];   // x, y, z and their number
   alignas(64) float squares[4 * kLanes];   // xx, yy, zz
-  alignas(64) float products[4 * kLanes];  // xy, yz, zx
+  alignas(64) float products[4 * kLanes];  // xy, yz, xz
 };
 
 #if HWY_TARGET == HWY_SCALAR
@@ -72,10 +72,10 @@ HWY_INLINE void write_counts(const Sums& sums, std::size_t first, std::size_t co
 
 HWY_INLINE void write_covariances(const Sums& sums, std::size_t first, std::size_t count, LocalCovariances& out) {
   const D d;
-  Floats x, y, z, n, xx, yy, zz, xy, yz, zx, unused;
+  Floats x, y, z, n, xx, yy, zz, xy, yz, xz, unused;
   hn::LoadInterleaved4(d, sums.offsets, x, y, z, n);
   hn::LoadInterleaved4(d, sums.squares, xx, yy, zz, unused);
-  hn::LoadInterleaved4(d, sums.products, xy, yz, zx, unused);
+  hn::LoadInterleaved4(d, sums.products, xy, yz, xz, unused);
   const Floats one = hn::Set(d, 1.0f), per_point = hn::Div(one, hn::Max(n, one));
   const Floats scale = hn::IfThenElseZero(hn::Gt(n, one), hn::Div(one, hn::Max(hn::Sub(n, one), one)));
   const Floats mean_x = hn::Mul(x, per_point), mean_y = hn::Mul(y, per_point), mean_z = hn::Mul(z, per_point);
@@ -84,11 +84,11 @@ HWY_INLINE void write_covariances(const Sums& sums, std::size_t first, std::size
     hn::BlendedStore(hn::Mul(scale, hn::Sub(sum, hn::Mul(a, mean_b))), valid, d, &to[first]);
   };
   write(xx, x, mean_x, out.xx);
-  write(xy, x, mean_y, out.xy);
-  write(zx, x, mean_z, out.xz);
   write(yy, y, mean_y, out.yy);
-  write(yz, y, mean_z, out.yz);
   write(zz, z, mean_z, out.zz);
+  write(xy, x, mean_y, out.xy);
+  write(yz, y, mean_z, out.yz);
+  write(xz, x, mean_z, out.xz);
 }
 
 template <bool kAllKept>
@@ -126,7 +126,7 @@ const LocalCovariances& NeighborMoments::compute(const PointCloud& cloud, const 
     throw Error("keep", "must be empty or have an entry for each point");
   if (neighbors.k > 255) throw Error("neighbors", "more than 255 neighbours of a point");
   LocalCovariances& out = covariances_;
-  for (std::vector<float>* v : {&out.xx, &out.xy, &out.xz, &out.yy, &out.yz, &out.zz}) v->resize(cloud.size());
+  for (std::vector<float>* v : {&out.xx, &out.yy, &out.zz, &out.xy, &out.yz, &out.xz}) v->resize(cloud.size());
   out.counts.resize(cloud.size());
   points_.resize(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {

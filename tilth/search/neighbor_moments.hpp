@@ -10,18 +10,19 @@
 #include <Eigen/Core>
 
 #include <tilth/core/point_cloud.hpp>
+#include <tilth/core/symmetric3.hpp>
 #include <tilth/search/scan_neighbors.hpp>
 
 namespace tilth {
 
-/// Sample covariances [m^2], the upper triangle of each point's as structure of arrays.
+/// Sample covariances [m^2], those of all points as structure of arrays.
 struct LocalCovariances {
-  std::vector<float> xx, xy, xz, yy, yz, zz;
+  std::vector<float> xx, yy, zz, xy, yz, xz;
   std::vector<std::uint8_t> counts;  ///< neighbours that were kept; below two a covariance is zero
 
   std::size_t size() const { return xx.size(); }
   Eigen::Matrix3f matrix(std::size_t i) const {
-    return (Eigen::Matrix3f() << xx[i], xy[i], xz[i], xy[i], yy[i], yz[i], xz[i], yz[i], zz[i]).finished();
+    return Symmetric3f{{xx[i], yy[i], zz[i], xy[i], yz[i], xz[i]}}.matrix();
   }
 };
 
