@@ -24,10 +24,10 @@ TEST(VibrationFilter, ItsSizeFollowsFromWhatScansShow) {
       ASSERT_TRUE(step_with_vibration(system, factor, step, found));
       filter.update(2 * kMiddle, found, evidence_of(factor, prior, found));
     }
-    const VibrationSigma spread = filter.sigma();
-    EXPECT_NEAR(spread.tilt, std::max(rotation, options.least_rotation), 6e-4);
-    EXPECT_NEAR(spread.yaw, std::max(rotation, options.least_rotation), 6e-4);
-    EXPECT_NEAR(spread.translation, options.least_translation, 2e-4);
+    const VibrationSigma sigma = filter.sigma();
+    EXPECT_NEAR(sigma.tilt, std::max(rotation, options.least_rotation), 6e-4);
+    EXPECT_NEAR(sigma.yaw, std::max(rotation, options.least_rotation), 6e-4);
+    EXPECT_NEAR(sigma.translation, options.least_translation, 2e-4);
   }
 }
 

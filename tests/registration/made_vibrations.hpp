@@ -22,9 +22,9 @@ inline KnotMatrix vibrating() {
   return knot_precision(2 * kMiddle, VibrationOptions());
 }
 
-/// Nothing known but the spread.
-inline VibrationPrior prior_of(const VibrationSigma& spread, const KnotMatrix& precision = kApart) {
-  return vibration_prior(spread, {}, {.precision = precision}, VibrationOptions());
+/// Nothing known but the size.
+inline VibrationPrior prior_of(const VibrationSigma& sigma, const KnotMatrix& precision = kApart) {
+  return vibration_prior(sigma, {}, {.precision = precision}, VibrationOptions());
 }
 
 /// Pairs of flat patches all around, whose residuals are those of a LiDAR that deviates by `vibration`, and of noise

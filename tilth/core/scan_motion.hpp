@@ -1,5 +1,6 @@
-// The motion of the LiDAR within one scan, at constant acceleration but for its vibration, by poses at regular times;
-// in between, along the tangent (error below 0.02 mm at 20 m and 90 degrees a second).
+// The motion of the LiDAR within one scan in continuous time: at constant acceleration but for its vibration
+// (docs/method.md, 3), by poses at regular times; in between, along the tangent (error below 0.02 mm at 20 m and 90
+// degrees a second).
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// A small piece of surface as a scan shows it: what scans are registered by, and what maps are made of.
+// A small piece of surface as a scan shows it (others call it surfel): what scans are registered by, and what maps are
+// made of.
 #pragma once
 
 #include <cstdint>

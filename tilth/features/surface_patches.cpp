@@ -137,6 +137,7 @@ class RingFitter {
     });
   }
 
+  // Normal and thickness are eigenvector and eigenvalue, the smallest, of the covariance (docs/method.md, 1).
   SurfacePatch patch_of(std::size_t run, std::size_t ring) const {
     const RingSegment& self = *columns_[run][kSelf];
     const Fit& fit = fits_[run];

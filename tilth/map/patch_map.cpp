@@ -92,6 +92,7 @@ void PatchMap::add(const Placed& placed, const SurfacePatch& patch, const Eigen:
   sums.fresh_count = surface.patches;
 }
 
+// The Gaussian of a surface (docs/method.md, 2).
 void PatchMap::refresh(const Sums& sums, MapSurface& surface) const {
   const Symmetric3d covariance = sums.scatter / double(surface.patches);
   const Eigen::Vector3d variances = eigenvalues(covariance);

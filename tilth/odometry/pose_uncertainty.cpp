@@ -9,6 +9,7 @@ constexpr double kStep = 0.5;  // [s] between the instants that are kept
 
 }  // namespace
 
+// docs/method.md, 17.
 Matrix6d PoseUncertainty::add(const RegisteredPose& pose) {
   const Matrix6d to_map = adjoint(pose.T_map_lidar), to_lidar = adjoint(pose.T_map_lidar.inverse());
   if (instants_.empty()) instants_.push_back({pose.time, Matrix6d::Zero()});

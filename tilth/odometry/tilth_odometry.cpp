@@ -25,6 +25,7 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   arrange(cloud, rings_);
   const std::vector<std::uint8_t> keep =
       ring_support(rings_, cloud.size(), options_.outliers).value_or(std::vector<std::uint8_t>(cloud.size(), 1));
+  PointCloud filtered = select_kept(cloud, keep);
   begin_stage("features");
   const ScanPatches patches{scan.stamp, duration(cloud), surface_patches(cloud, rings_, keep, options_.patches)};
 
@@ -38,9 +39,9 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
 
   OdometryResult result = result_of(alignment, patches);
   result.covariance = covariance;
-  result.filtered = select_kept(cloud, keep);
   result.counts.points_in = cloud.size();
-  result.counts.outliers = cloud.size() - result.filtered.size();
+  result.counts.outliers = cloud.size() - filtered.size();
+  result.filtered = std::move(filtered);
   return result;
 }
 

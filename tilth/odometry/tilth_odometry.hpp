@@ -1,5 +1,6 @@
 // The pipeline `tilth`: patches of surface whose shape two or three beams agree on, a map of Gaussians by the way they
-// face, and pose and velocity estimated together.
+// face, and continuous-time registration: pose, velocity and vibration estimated together. docs/method.md has every
+// equation; numbers in comments are those of its equations.
 #pragma once
 
 #include <tilth/features/surface_patches.hpp>

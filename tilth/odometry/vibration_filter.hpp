@@ -19,7 +19,7 @@ class VibrationFilter {
   /// Takes the vibration of a scan, `interval` [s] after the last one, and what it tells about the size of vibrations.
   void update(double interval, const ScanVibration& vibration, const VibrationEvidence& evidence);
 
-  /// As the scans of about the last two seconds have shown it.
+  /// As the scans of about the last two seconds have shown it (docs/method.md, 11).
   VibrationSigma observed() const;
 
   /// The same within the bounds of the options, by which parts of the map stay together.

@@ -25,7 +25,7 @@ LinearSystem restricted(LinearSystem system, const AlignOptions& options) {
   return system;
 }
 
-// One step of Gauss and Newton, or damped; false where the system has no solution.
+// One Gauss-Newton step, or damped (Levenberg-Marquardt); false where the system has no solution.
 bool solve(const LinearSystem& system, double damping, Vector6d& step) {
   Matrix6d H = system.H;
   H.diagonal() += damping * H.diagonal();

@@ -1,4 +1,5 @@
-// The one loop of every registration: associate, linearise, solve, until the pose or the error stands still.
+// The one loop of every registration, Gauss-Newton: associate, linearise, solve, until the pose or the error stands
+// still.
 #pragma once
 
 #include <array>
@@ -56,7 +57,7 @@ void visit(AlignOptions& o, V&& v) {
     "[-] a direction with less information than this share of the best one is degenerate");
   v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept");
   v("active", o.active, "[-] degrees of freedom that change");
-  v("step_ratio", o.step_ratio, Bounds{1e-6, 1}, "[-] of the step of Gauss and Newton that is taken");
+  v("step_ratio", o.step_ratio, Bounds{1e-6, 1}, "[-] of the Gauss-Newton step that is taken");
 }
 
 /// Normal equations H x = -b of all pairs, and what else one pass over them gives.
@@ -119,7 +120,8 @@ struct AlignState {
 
 enum class StepOutcome { moved, stands_still, failed };
 
-/// One step of result.T_target_source on state.system; failed where there are too few pairs or no solution.
+/// One Gauss-Newton step of result.T_target_source on state.system; failed where there are too few pairs or no
+/// solution.
 StepOutcome gauss_newton_step(const AlignOptions& options, AlignState& state, AlignResult& result);
 
 /// What rotations [rad] and translations [m] are divided by to compare: rotations then count in units of the arc by

@@ -11,7 +11,7 @@ namespace tilth {
 struct ContinuousTimeAlignment {
   AlignResult pose;                 ///< T_target_source is at `middle`
   MotionInScan motion = {};         ///< about `middle`
-  VibrationEvidence evidence = {};  ///< on the spread of vibrations
+  VibrationEvidence evidence = {};  ///< on the size of vibrations
   /// [rad^2, m^2] of the pose at `middle` (right perturbation) if the surfaces were exact, with velocity and vibration
   /// unknown; of the prior, from the last pose on, where the pairs gave none
   Matrix6d covariance = Matrix6d::Zero();

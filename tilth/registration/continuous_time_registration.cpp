@@ -20,8 +20,9 @@ double trust(double ratio, double degeneracy_ratio) {
   return std::clamp((ratio / degeneracy_ratio - 1.0) / (kWhollyTrusted - 1.0), 0.0, 1.0);
 }
 
-// What the pairs would determine if all were right, as they may not be yet: keep * x is the part of a motion x
-// of the pose that they are trusted with.
+// Eigenvalues of the information matrix tell what is degenerate (docs/method.md, 15), as the pairs would determine it
+// if all were right, which they may not be yet: keep * x is the part of a motion x of the pose that they are trusted
+// with.
 Matrix6d trusted_part(const PatchPairs& pairs, const Pose& T_map_lidar, const ContinuousTimeOptions& options) {
   const LinearSystem system = unweighted(pairs, T_map_lidar);
   const Vector6d scale = arc_scale(system);
@@ -76,7 +77,8 @@ bool step_steady(const ContinuousTimeSystem& system, Vector12d& step) {
   return factor.info() == Eigen::Success && step.allFinite();
 }
 
-// Squared residuals are less than their variances promise, which are wide on purpose: the scale of the covariance.
+// Covariance (docs/method.md, 16): squared residuals are less than their variances promise, which are wide on purpose:
+// the scale of the covariance.
 double residual_scale(const PatchPairs& pairs, double error) {
   constexpr double kState = 12, kLeast = 0.05;
   const double freedom = double(pairs.flat.size()) + 3 * double(pairs.shapes.size()) - kState;
@@ -86,9 +88,8 @@ double residual_scale(const PatchPairs& pairs, double error) {
 }  // namespace
 
 ScanPrior scan_prior(const MotionPrior& motion, double middle, const ContinuousTimeOptions& options) {
-  if (!motion.known || !(middle > 0)) return {motion};
-  if (motion.vibration.none()) return {motion};
-  return {motion, motion.vibration, knot_precision(2 * middle, options.vibration)};
+  if (!motion.known || !(middle > 0) || motion.vibration.none()) return {motion};
+  return {motion, knot_precision(2 * middle, options.vibration)};
 }
 
 bool gauss_newton_step(const PatchPairs& pairs, const ScanPrior& prior, const ContinuousTimeOptions& options,
@@ -104,11 +105,11 @@ bool gauss_newton_step(const PatchPairs& pairs, const ScanPrior& prior, const Co
   VibrationPrior vibration;
   std::optional<VibrationFactor> vibration_factor;
   Vector12d step;
-  if (prior.spread.none() || !narrow(state, options)) {
+  if (!prior.knots || !narrow(state, options)) {
     if (!step_steady(system, step)) return false;
   } else {
-    const VibratingScan scan{prior.motion.vibration_gain, scale, prior.knots};
-    vibration = vibration_prior(prior.spread, prior.motion.vibration_mean, scan, options.vibration);
+    const VibratingScan scan{prior.motion.vibration_gain, scale, *prior.knots};
+    vibration = vibration_prior(prior.motion.vibration, prior.motion.vibration_mean, scan, options.vibration);
     const VibrationSystem whole = vibration_system(at_state.parts, system, vibration, state);
     vibration_factor.emplace(whole.H);
     if (!step_with_vibration(whole, *vibration_factor, step, state.motion.vibration)) return false;

@@ -1,8 +1,10 @@
-// Registration of a scan that was taken in motion: the pose in the middle of the scan and the velocity during it are
-// estimated together, so that the scan is straightened by its own motion and not by that of the scan before.
+// Continuous-time registration, of a scan that was taken in motion, by Gauss-Newton steps (docs/method.md): the pose in
+// the middle of the scan and the velocity during it are estimated together, so that the scan is straightened by its own
+// motion and not by that of the scan before.
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include <tilth/registration/motion_prior.hpp>
 #include <tilth/registration/patch_pairs.hpp>
@@ -13,15 +15,14 @@ namespace tilth {
 /// What is known before a scan, for all of its steps.
 struct ScanPrior {
   MotionPrior motion;
-  VibrationSigma spread = {};                 ///< none: no vibration is estimated
-  KnotMatrix knots = KnotMatrix::Identity();  ///< precision of the vibration's knots, where there is one
+  std::optional<KnotMatrix> knots = {};  ///< precision of the vibration's; none: no vibration is estimated
 };
 
 /// Of a scan whose middle is `middle` [s] after its stamp.
 ScanPrior scan_prior(const MotionPrior& motion, double middle, const ContinuousTimeOptions& options);
 
-/// One step of `state` on `pairs` and the prior, with the diagnosis of the pairs; false where there are too few pairs
-/// or no solution.
+/// One Gauss-Newton step of `state` on `pairs` and the prior, with the diagnosis of the pairs; false where there are
+/// too few pairs or no solution.
 bool gauss_newton_step(const PatchPairs& pairs, const ScanPrior& prior, const ContinuousTimeOptions& options,
                        MotionState& state, ContinuousTimeAlignment& result);
 

@@ -1,4 +1,5 @@
-// The normal equations of a scan in motion: what pairs of patches say about its pose and velocity. O(pairs).
+// The normal equations of Gauss-Newton for a scan in motion: what pairs of patches say about its pose and velocity.
+// O(pairs).
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@ struct ContinuousTimeSystem {
   Vector12d b = Vector12d::Zero();
 };
 
-/// What each part of a scan says, between two knots of its vibration.
+/// What each part of a scan says (docs/method.md, 14), between two knots of its vibration.
 using SegmentSystems = std::array<ContinuousTimeSystem, ScanVibration::kIntervals>;
 
 /// Of `pairs` at `state`, weighted by its Geman-McClure kernel.

@@ -39,20 +39,24 @@ Vector6d pose_variances(const MotionPrior& prior, const ContinuousTimeOptions& o
 /// [rad, m] standard deviation of a pose that goes on at the velocity of the last second.
 double steady_shift(const MotionPrior& prior, const ContinuousTimeOptions& options);
 
-/// The pose is where the velocity expected leads to, give or take the accelerations that a robot is capable of.
+/// Pose prior (docs/method.md, 8): the pose is where the velocity expected leads to, give or take the accelerations
+/// that a robot is capable of.
 void add_pose_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state,
                     ContinuousTimeSystem& system);
 
-/// What a velocity in the middle of the scan that differs from the motion since the last one says: the scan is bent.
-/// [rad/s^2, m/s^2]; 0 before anything is known of the motion, and where options want no scan bent.
+/// Acceleration in the scan (docs/method.md, 4): what a velocity in the middle of the scan that differs from the motion
+/// since the last one says: the scan is bent. [rad/s^2, m/s^2]; 0 before anything is known of the motion, and where
+/// options want no scan bent.
 Vector6d acceleration_in(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state);
 
-/// The velocity in the middle of the scan is where the last two motions, half an interval and one and a half before it,
-/// lead to, unless their acceleration is not that seen before: then it may differ.
+/// Velocity prior (docs/method.md, 9): the velocity in the middle of the scan is where the last two motions, half an
+/// interval and one and a half before it, lead to, unless their acceleration is not that seen before: then it may
+/// differ.
 void add_velocity_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state,
                         ContinuousTimeSystem& system);
 
-/// Of a motion x of the pose, `lost` * x goes on as it was in the last second.
+/// Prior of degenerate directions (docs/method.md, 13): of a motion x of the pose, `lost` * x goes on as it was in the
+/// last second.
 void add_steady_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const Matrix6d& lost,
                       const MotionState& state, ContinuousTimeSystem& system);
 

@@ -11,7 +11,7 @@
 
 namespace tilth {
 
-/// A patch and the plane that it is held against, seen from the LiDAR in the middle of the scan.
+/// A patch and the plane that it is held against (point to plane), seen from the LiDAR in the middle of the scan.
 struct FlatPair {
   Eigen::Vector3d point;   ///< [m] of the patch
   Eigen::Vector3d normal;  ///< unit, of the surface
@@ -20,7 +20,8 @@ struct FlatPair {
   double lever;            ///< [s] from the middle of the scan to the patch: how far the velocity moves it
 };
 
-/// A patch and a surface that is no plane, likewise, with the offset and its covariance in the map's frame.
+/// A patch and a surface that is no plane, likewise, with the offset and its covariance in the map's frame: its
+/// residual is their Mahalanobis distance (docs/method.md, 6).
 struct ShapePair {
   Eigen::Vector3d point;          ///< [m] in the LiDAR's frame
   Eigen::Vector3d offset_in_map;  ///< [m] from the surface's mean
@@ -55,7 +56,8 @@ struct PatchMatching {
   PatchPairs pairs;                            ///< those near enough, and facing the same way
 };
 
-/// [m^2] of a residual along `n`, the surface's normal seen from the patch: that of the mean of the patch's points,
+/// Variance of the point-to-plane residual (docs/method.md, 5) [m^2] along `n`, the surface's normal seen from the
+/// patch: that of the mean of the patch's points,
 /// part of their spread, which is wide where the two do not face the same way, and that of the surface, less as it has
 /// more patches.
 template <class Surface>

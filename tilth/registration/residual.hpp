@@ -52,7 +52,8 @@ struct PointToLine {
 };
 
 /// GICP: the difference of two Gaussians' means, weighed by their joint covariance (Fu et al. 2026, section 2.2):
-/// residual(T)^2 = (T p - q)^T (R Sigma_p R^T + Sigma_q)^-1 (T p - q), with R fixed at construction.
+/// residual(T)^2 = (T p - q)^T (R Sigma_p R^T + Sigma_q)^-1 (T p - q), the squared Mahalanobis distance, with R fixed
+/// at construction (docs/method.md, 18).
 struct DistributionToDistribution {
   Eigen::Vector3d source, target;
   Eigen::Matrix3d information;  ///< (R Sigma_p R^T + Sigma_q)^-1

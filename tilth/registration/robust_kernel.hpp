@@ -18,7 +18,8 @@ struct RobustKernel {
   Kernel kind = Kernel::none;
   double width = 1.0;  ///< in units of the residual
 
-  /// Factor on the pair's normal equations (iteratively re-weighted least squares), in (0, 1].
+  /// Factor on the pair's normal equations (iteratively re-weighted least squares), in (0, 1]; Geman-McClure's:
+  /// docs/method.md, 7.
   double weight(double squared_residual) const {
     const double s = squared_residual / (width * width);
     switch (kind) {

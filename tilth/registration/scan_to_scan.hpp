@@ -7,8 +7,8 @@
 
 namespace tilth {
 
-/// A step of the original: a twentieth of Gauss and Newton's at a time, until less than 0.1 degree and 1 mm is left of
-/// it.
+/// A step of the original: a twentieth of that of Gauss-Newton at a time, until less than 0.1 degree and 1 mm is left
+/// of it.
 constexpr AlignOptions scan_step(Freedom active) {
   AlignOptions options;
   options.max_iterations = 25;

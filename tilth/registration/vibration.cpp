@@ -52,12 +52,12 @@ KnotMatrix knot_precision(double duration, const VibrationOptions& options) {
 }
 
 // With x ~ N(0, s^2), and (1 - a) mean + a x ~ N(0, k^2 s^2 a / 2), where a share k of chance's mean is left.
-VibrationPrior vibration_prior(const VibrationSigma& spread, const ScanVibration& mean, const VibratingScan& scan,
+VibrationPrior vibration_prior(const VibrationSigma& sigma, const ScanVibration& mean, const VibratingScan& scan,
                                const VibrationOptions& options) {
   const double pull = 2 / (options.mean * options.mean), narrowing = 1 + pull * scan.ratio;
   VibrationPrior prior;
   prior.precision = scan.precision;
-  prior.sigma_variances = spread.variances() / scan.scale;
+  prior.sigma_variances = sigma.variances() / scan.scale;
   prior.variances = prior.sigma_variances / narrowing;
   for (std::size_t i = 0; i < mean.knots.size(); ++i)
     prior.means.knots[i] = -pull * (1 - scan.ratio) / narrowing * mean.knots[i];

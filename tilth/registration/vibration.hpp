@@ -14,8 +14,9 @@ namespace tilth {
 /// Of the values of a coordinate at the knots.
 using KnotMatrix = Eigen::Matrix<double, ScanVibration::kIntervals + 1, ScanVibration::kIntervals + 1>;
 
-/// The inverse of the correlation between the knots of a scan of this duration [s], where vibrations of any frequency
-/// from `lowest` to `highest` are as likely: what a scan shows of a knot tells about those beside it.
+/// Vibration prior (docs/method.md, 10): the inverse of the correlation between the knots of a scan of this duration
+/// [s], where vibrations of any frequency from `lowest` to `highest` are as likely: what a scan shows of a knot tells
+/// about those beside it.
 KnotMatrix knot_precision(double duration, const VibrationOptions& options);
 
 /// What is known of a vibration before its scan: the knots of a coordinate are jointly normal.
@@ -33,10 +34,11 @@ struct VibratingScan {
   KnotMatrix precision = KnotMatrix::Identity();  ///< of knots of variance 1
 };
 
-/// A vibration goes to and fro. One that stayed at an instant of the scan, from scan to scan, would let the part of the
-/// map that is seen at that instant leave the other parts, and nothing would bring it back: the mean of the vibrations
-/// over three seconds is held to zero as well. `mean` is that of those before the scan.
-VibrationPrior vibration_prior(const VibrationSigma& spread, const ScanVibration& mean, const VibratingScan& scan,
+/// The mean of vibrations held to zero (docs/method.md, 12). A vibration goes to and fro: one that stayed at an instant
+/// of the scan, from scan to scan, would let the part of the map that is seen at that instant leave the other parts,
+/// and nothing would bring it back: the mean of the vibrations over three seconds is held to zero as well. `mean` is
+/// that of those before the scan.
+VibrationPrior vibration_prior(const VibrationSigma& sigma, const ScanVibration& mean, const VibratingScan& scan,
                                const VibrationOptions& options);
 
 /// Pose, velocity and vibration of one linearisation: H x = -b.
@@ -63,7 +65,7 @@ bool step_with_vibration(const VibrationSystem& system, const VibrationFactor& f
 /// [rad^2, m^2] of the pose in the middle of the scan, its vibration included.
 Matrix6d covariance_in_middle(const VibrationFactor& factor);
 
-/// What a vibration, estimated by the system of this factor, tells about the spread.
+/// What a vibration, estimated by the system of this factor, tells about the size of vibrations.
 VibrationEvidence evidence_of(const VibrationFactor& factor, const VibrationPrior& prior,
                               const ScanVibration& vibration);
 
