@@ -100,6 +100,7 @@ TEST(VibrationFilter, NoneWhereTheOptionsAllowNone) {
   EXPECT_FALSE(VibrationFilter({}).sigma().none());
   EXPECT_TRUE(VibrationFilter({.tilt = 0}).sigma().none());
   EXPECT_TRUE(VibrationFilter({.least_rotation = 0}).sigma().none());
+  EXPECT_TRUE(VibrationFilter({.least_translation = 0}).sigma().none());
 }
 
 }  // namespace

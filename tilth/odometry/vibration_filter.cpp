@@ -40,6 +40,7 @@ VibrationSigma VibrationFilter::observed() const {
 VibrationSigma VibrationFilter::sigma() const {
   const auto within = [](double least, double seen, double most) { return std::min(std::max(seen, least), most); };
   const VibrationOptions& o = options_;
+  if (o.least_rotation == 0 || o.least_translation == 0) return {};
   const VibrationSigma seen = observed();
   const double tilt = within(o.least_rotation, seen.tilt, o.tilt);
   return {tilt, within(o.least_rotation, seen.yaw, o.yaw + o.yaw_ratio * tilt),
