@@ -33,16 +33,41 @@ std::string escaped(const std::string& text) {
   return out;
 }
 
+constexpr std::string_view kAdvancedTitle = "advanced";
+
+struct Parts {
+  std::vector<OptionInfo> common, advanced;
+};
+
+Parts by_audience(std::span<const OptionInfo> options) {
+  Parts parts;
+  for (const OptionInfo& option : options) (option.advanced ? parts.advanced : parts.common).push_back(option);
+  return parts;
+}
+
+std::string markdown_rows(std::span<const OptionInfo> options) {
+  std::string text = "| option | default | unit | allowed | meaning |\n|---|---|---|---|---|\n";
+  for (const OptionInfo& o : options) {
+    text += "| `" + o.key + "` | " + escaped(o.value) + " | " + o.unit + " | " + escaped(o.allowed) + " | " +
+            escaped(o.meaning) + " |\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string option_table(const std::string& pipeline, std::span<const OptionInfo> options) {
   const std::size_t keys = widest(options, &OptionInfo::key), values = widest(options, &OptionInfo::value);
   const std::size_t units = widest(options, &OptionInfo::unit) + 2, allowed = widest(options, &OptionInfo::allowed);
+  const auto line = [&](const OptionInfo& o) {
+    return "  " + padded(o.key, keys) + "  " + padded(o.value, values) + "  " + padded("[" + o.unit + "]", units) +
+           "  " + padded(o.allowed, allowed) + "  " + o.meaning + "\n";
+  };
+  const Parts parts = by_audience(options);
   std::string text = pipeline + "\n";
-  for (const OptionInfo& o : options) {
-    text += "  " + padded(o.key, keys) + "  " + padded(o.value, values) + "  " + padded("[" + o.unit + "]", units) +
-            "  " + padded(o.allowed, allowed) + "  " + o.meaning + "\n";
-  }
+  for (const OptionInfo& o : parts.common) text += line(o);
+  if (!parts.advanced.empty()) text += " " + std::string(kAdvancedTitle) + "\n";
+  for (const OptionInfo& o : parts.advanced) text += line(o);
   return text;
 }
 
@@ -63,11 +88,10 @@ std::string option_yaml(const std::string& pipeline, std::span<const OptionInfo>
 }
 
 std::string option_markdown(const std::string& pipeline, std::span<const OptionInfo> options) {
-  std::string text = "## " + pipeline + "\n\n| option | default | unit | allowed | meaning |\n|---|---|---|---|---|\n";
-  for (const OptionInfo& o : options) {
-    text += "| `" + o.key + "` | " + escaped(o.value) + " | " + o.unit + " | " + escaped(o.allowed) + " | " +
-            escaped(o.meaning) + " |\n";
-  }
+  const Parts parts = by_audience(options);
+  std::string text = "## " + pipeline + "\n\n" + markdown_rows(parts.common);
+  if (!parts.advanced.empty())
+    text += "\n### " + pipeline + ", " + std::string(kAdvancedTitle) + "\n\n" + markdown_rows(parts.advanced);
   return text;
 }
 

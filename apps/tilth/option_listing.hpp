@@ -8,6 +8,7 @@
 
 namespace tilth::app {
 
+/// What is advanced stands last, under a heading of its own; in YAML everything stands where its stage does.
 std::string option_table(const std::string& pipeline, std::span<const OptionInfo> options);
 std::string option_yaml(const std::string& pipeline, std::span<const OptionInfo> options);
 std::string option_markdown(const std::string& pipeline, std::span<const OptionInfo> options);

@@ -56,6 +56,18 @@ TEST(Settings, TheLastOfAKeyCounts) {
   expect_words(tilth({"config", "--yaml", "--set", "min_range=1.5", "min_range=2.5"}).out, {"min_range: 2.5"});
 }
 
+TEST(Settings, OfExperimentsAreListedLast) {
+  for (const Arguments& arguments : {Arguments{"config", "tilth"}, Arguments{"config", "tilth", "--markdown"}}) {
+    const std::string listing = tilth(arguments).out;
+    const std::size_t heading = listing.find("advanced\n");
+    ASSERT_NE(heading, std::string::npos) << listing;
+    EXPECT_LT(listing.find("max_range"), heading);
+    EXPECT_LT(listing.find("map.voxel_size"), heading);
+    EXPECT_GT(listing.find("reanchor_after"), heading);
+    EXPECT_GT(listing.find("patches.segments.length"), heading);
+  }
+}
+
 TEST(Settings, EveryFileOfConfigsIsTaken) {
   std::size_t files = 0;
   for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(TILTH_SOURCE_DIR) / "configs")) {

@@ -21,7 +21,7 @@ struct InnerOptions {
 template <class V>
 void visit(InnerOptions& o, V&& v) {
   v("k", o.k, Bounds{3, 64}, "[points] neighbours");
-  v("alpha", o.alpha, Bounds{0, 10}, "[-] width");
+  v("alpha", o.alpha, Bounds{0, 10}, "[-] width", kAdvanced);
   v("method", o.method, "[-] kind");
 }
 struct OuterOptions {
@@ -50,6 +50,22 @@ TEST(Options, AreSetByKey) {
   EXPECT_EQ(o.inner.method, Method::plain);
   EXPECT_FALSE(o.deskew);
   EXPECT_EQ(o.inner.alpha, 0.25);
+}
+
+struct LabOptions {
+  InnerOptions inner, other;
+};
+template <class V>
+void visit(LabOptions& o, V&& v) {
+  v("inner", o.inner, "[-] inner stage", kAdvanced);
+  v("other", o.other, "[-] another one");
+}
+
+TEST(Options, AreAdvancedWhereTheyOrWhatHoldsThemAreMarked) {
+  std::string advanced;
+  for (const OptionInfo& row : describe(LabOptions{})) advanced += row.advanced ? 'a' : '-';
+  EXPECT_EQ(advanced, "aaa-a-");
+  EXPECT_EQ(with<LabOptions>({{"inner.alpha", "2"}}).inner.alpha, 2.0) << "can be set all the same";
 }
 
 TEST(Options, AreDescribedWithDefaultUnitAndBounds) {

@@ -5,9 +5,11 @@
 //     v("method", o.method, "[-] ...");  // an enum with `names_of(Method)`; bool, std::string and nested options alike
 //   }
 //
-// from which YAML, the command line, `tilth config` and the documents all read. A meaning begins with its [unit].
+// from which YAML, the command line, `tilth config` and the documents all read. A meaning begins with its [unit];
+// behind it kAdvanced marks what users need not know, of nested options all of them.
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <concepts>
 #include <limits>
@@ -31,17 +33,22 @@ struct Bounds {
   double max = std::numeric_limits<double>::infinity();
 };
 
+/// Who has to know an option: lists show those of experiments last.
+enum class Audience { users, experiments };
+inline constexpr Audience kAdvanced = Audience::experiments;
+
 /// One option as documents and `tilth config` show it.
 struct OptionInfo {
   std::string key, value, unit, meaning;
-  std::string allowed;  ///< "3 .. 64", "true | false" or the names of an enum
+  std::string allowed;    ///< "3 .. 64", "true | false" or the names of an enum
+  bool advanced = false;  ///< kAdvanced
 };
 
 namespace options_detail {
 
 struct AnyVisitor {
-  void operator()(std::string_view, auto&, std::string_view) const {}
-  void operator()(std::string_view, auto&, Bounds, std::string_view) const {}
+  void operator()(std::string_view, auto&, std::string_view, Audience = {}) const {}
+  void operator()(std::string_view, auto&, Bounds, std::string_view, Audience = {}) const {}
 };
 
 std::string number_text(double value);  // shortest text that reads back equal
@@ -122,14 +129,14 @@ struct Reader {
   std::string prefix;
 
   template <class T>
-  void operator()(std::string_view name, T& field, Bounds bounds, std::string_view) const {
+  void operator()(std::string_view name, T& field, Bounds bounds, std::string_view, Audience = {}) const {
     const auto it = values.find(prefix + std::string(name));
     if (it == values.end()) return;
     parse(it->first, it->second, field, bounds);
     values.erase(it);
   }
   template <class T>
-  void operator()(std::string_view name, T& field, std::string_view meaning) const {
+  void operator()(std::string_view name, T& field, std::string_view meaning, Audience = {}) const {
     if constexpr (Options<T>)
       visit(field, Reader{values, prefix + std::string(name) + "."});
     else
@@ -140,19 +147,21 @@ struct Reader {
 struct Writer {
   std::vector<OptionInfo>& rows;
   std::string prefix;
+  Audience audience = {};  ///< of all options
 
   template <class T>
-  void operator()(std::string_view name, T& field, Bounds bounds, std::string_view doc) const {
+  void operator()(std::string_view name, T& field, Bounds bounds, std::string_view doc, Audience own = {}) const {
     const std::size_t close = doc.find(']');
     rows.push_back({prefix + std::string(name), to_text(field), std::string(doc.substr(1, close - 1)),
-                    std::string(doc.substr(std::min(close + 2, doc.size()))), allowed<T>(bounds)});
+                    std::string(doc.substr(std::min(close + 2, doc.size()))), allowed<T>(bounds),
+                    std::max(audience, own) == kAdvanced});
   }
   template <class T>
-  void operator()(std::string_view name, T& field, std::string_view doc) const {
+  void operator()(std::string_view name, T& field, std::string_view doc, Audience own = {}) const {
     if constexpr (Options<T>)
-      visit(field, Writer{rows, prefix + std::string(name) + "."});
+      visit(field, Writer{rows, prefix + std::string(name) + ".", std::max(audience, own)});
     else
-      (*this)(name, field, Bounds{}, doc);
+      (*this)(name, field, Bounds{}, doc, own);
   }
 };
 
@@ -162,7 +171,7 @@ struct Writer {
 template <Options O>
 std::vector<OptionInfo> describe(O options) {
   std::vector<OptionInfo> rows;
-  visit(options, options_detail::Writer{rows, ""});
+  visit(options, options_detail::Writer{rows, "", Audience::users});
   return rows;
 }
 

@@ -25,8 +25,9 @@ void visit(FloamFeatureOptions& o, V&& v) {
   v("edge_threshold", o.edge_threshold, Bounds{0, 1e9}, "[m^2, loam: -] curvature of an edge point, more than");
   v("edges", o.edges, Bounds{0, 1e6}, "[points] edges of a sector, six a ring, at most");
   v("max_gap", o.max_gap, Bounds{0, 1e3},
-    "[m] between neighbours, beyond which an edge point rules out no more of the five on either side (sqrt 0.05)");
-  v("skip_sector_ends", o.skip_sector_ends, "[-] as FLOAM: the last point of each sector is nothing");
+    "[m] between neighbours, beyond which an edge point rules out no more of the five on either side (sqrt 0.05)",
+    kAdvanced);
+  v("skip_sector_ends", o.skip_sector_ends, "[-] as FLOAM: the last point of each sector is nothing", kAdvanced);
 }
 
 /// Edges and planes of `cloud`, ring by ring, with their attributes. The points of each ring must come in the order of

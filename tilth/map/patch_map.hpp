@@ -29,12 +29,13 @@ struct PatchMapOptions {
 template <class V>
 void visit(PatchMapOptions& o, V&& v) {
   v("voxel_size", o.voxel_size, Bounds{0.01, 100}, "[m] side of a voxel");
-  v("max_patches", o.max_patches, Bounds{1, 1e9}, "[patches] after which a Gaussian changes no more");
+  v("max_patches", o.max_patches, Bounds{1, 1e9}, "[patches] after which a Gaussian changes no more", kAdvanced);
   v("max_range", o.max_range, Bounds{1, 1e5}, "[m] voxels farther from the sensor are forgotten");
-  v("surface_variance", o.surface_variance, Bounds{1e-12, 1}, "[m^2] variance along a surface's normal, at least");
-  v("blur", o.blur, Bounds{0, 100}, "[m^2] variance added to what is no surface");
+  v("surface_variance", o.surface_variance, Bounds{1e-12, 1}, "[m^2] variance along a surface's normal, at least",
+    kAdvanced);
+  v("blur", o.blur, Bounds{0, 100}, "[m^2] variance added to what is no surface", kAdvanced);
   v("planar_patches", o.planar_patches, Bounds{2, 1e9},
-    "[patches] none of them flat, that make a plane together if they lie in one");
+    "[patches] none of them flat, that make a plane together if they lie in one", kAdvanced);
 }
 
 /// The surface of one voxel that faces one way, or what there is in it that is not flat.

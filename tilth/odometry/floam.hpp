@@ -37,7 +37,7 @@ void visit(FloamOptions& o, V&& v) {
   v("features", o.features, "[-] edge and plane features");
   v("association", o.association, "[-] scan to map");
   v("first_iterations", o.first_iterations, Bounds{1, 10000},
-    "[-] associations of the first scan; one less with each scan, down to align.max_iterations");
+    "[-] associations of the first scan; one less with each scan, down to align.max_iterations", kAdvanced);
   v("align", o.align, "[-] iterations of the registration");
   v("edge_map", o.edge_map, "[-] local map of edges");
   v("plane_map", o.plane_map, "[-] local map of planes");

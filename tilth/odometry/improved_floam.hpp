@@ -39,14 +39,14 @@ void visit(ImprovedFloamOptions& o, V&& v) {
   v("max_range", o.max_range, Bounds{0.1, 1e4}, "[m] farther points are dropped");
   v("deskew", o.deskew, "[-] undo the motion within a scan, where points have times");
   v("outliers", o.outliers, "[-] statistical outlier removal");
-  v("patches", o.patches, "[-] patches of surface: neighbourhoods and their covariances");
+  v("patches", o.patches, "[-] patches of surface: neighbourhoods and their covariances", kAdvanced);
   v("features", o.features, "[-] edge and plane features among the patches");
   v("method", o.method, "[-] gicp: distribution to distribution; icp: point to point");
   v("association", o.association, "[-] scan to map");
   v("align", o.align, "[-] iterations of the registration");
   v("first_kernel_width", o.first_kernel_width, Bounds{1e-9, 1e9},
-    "[-] align.kernel_width, at least, of the first registration, which tells how the scan is straightened");
-  v("first_epsilon", o.first_epsilon, Bounds{0, 1}, "[m, rad] step, at least, at which that stops");
+    "[-] align.kernel_width, at least, of the first registration, which tells how the scan is straightened", kAdvanced);
+  v("first_epsilon", o.first_epsilon, Bounds{0, 1}, "[m, rad] step, at least, at which that stops", kAdvanced);
   v("map", o.map, "[-] local map of edges and planes");
 }
 

@@ -62,7 +62,7 @@ void visit(LegoLoamOptions& o, V&& v) {
     "[-] the motion within a scan is undone by times from the azimuth, as the original; by the times measured, where "
     "there are any; or not at all");
   v("stamp_at_start", o.stamp_at_start,
-    "[-] as LeGO-LOAM: the pose, which is that of the end of the scan, is stamped with its start");
+    "[-] as LeGO-LOAM: the pose, which is that of the end of the scan, is stamped with its start", kAdvanced);
   v("segmentation", o.segmentation, "[-] range image, ground and clusters");
   v("features", o.features, "[-] edge and plane points");
   v("scan_to_scan", o.scan_to_scan, "[-] scan to scan, in two steps");

@@ -34,13 +34,14 @@ void visit(TilthOptions& o, V&& v) {
   v("pose_at", o.pose_at, Bounds{0, 1}, "[-] instant of the pose within the scan: 0 its first point, 1 its last one");
   v("reanchor_after", o.reanchor_after, Bounds{0, 1e9},
     "[s] the world is the LiDAR in its first scan: so long after it, that scan is registered to the map that has grown "
-    "since, and the world laid where it is found");
+    "since, and the world laid where it is found",
+    kAdvanced);
   v("covariance_scale", o.covariance_scale, Bounds{1e-6, 1e6},
-    "[-] of the poses' covariances: what residuals and surfaces do not show");
+    "[-] of the poses' covariances: what residuals and surfaces do not show", kAdvanced);
   v("max_patches", o.max_patches, Bounds{100, 1e9},
     "[patches] of a scan that are registered, evenly chosen; all of them go into the map");
   v("outliers", o.outliers, "[-] outlier removal, by the beams beside a point");
-  v("patches", o.patches, "[-] patches of surface");
+  v("patches", o.patches, "[-] patches of surface", kAdvanced);
   v("align", o.align, "[-] registration of pose and velocity");
   v("map", o.map, "[-] local map");
 }

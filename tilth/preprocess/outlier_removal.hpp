@@ -47,10 +47,12 @@ void visit(OutlierOptions& o, V&& v) {
     "threshold adapted to density; plain: mean + alpha sigma, as PCL");
   v("k", o.k, Bounds{2, 64}, "[points] nearest neighbours of each point");
   v("alpha", o.alpha, Bounds{0, 100}, "[-] width of the threshold in standard deviations");
-  v("density", o.density, "[-] density term g(x) of the threshold, x = density / mean density: 1/x, or 1 - x");
-  v("density_min", o.density_min, Bounds{-1, 100}, "[-] least value of the density term");
-  v("density_max", o.density_max, Bounds{-1, 100}, "[-] greatest value of the density term");
-  v("per_range", o.per_range, "[-] measure distances in units of the range: a spinning LiDAR's spacing grows with it");
+  v("density", o.density, "[-] density term g(x) of the threshold, x = density / mean density: 1/x, or 1 - x",
+    kAdvanced);
+  v("density_min", o.density_min, Bounds{-1, 100}, "[-] least value of the density term", kAdvanced);
+  v("density_max", o.density_max, Bounds{-1, 100}, "[-] greatest value of the density term", kAdvanced);
+  v("per_range", o.per_range, "[-] measure distances in units of the range: a spinning LiDAR's spacing grows with it",
+    kAdvanced);
   visit(o.support, v);
 }
 

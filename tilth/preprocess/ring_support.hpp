@@ -23,7 +23,8 @@ void visit(RingSupportOptions& o, V&& v) {
   v("noise", o.noise, Bounds{1e-6, 10}, "[m] standard deviation of a range; three of them are allowed for");
   v("slope", o.slope, Bounds{0, 100},
     "[-] greatest step of the range from beam to beam along a ring, over the arc between them; steeper surfaces must "
-    "go on evenly");
+    "go on evenly",
+    kAdvanced);
 }
 
 /// For each point of `cloud` 1 where a neighbour on its ring, the line through two of them, or a neighbour on the ring

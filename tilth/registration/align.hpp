@@ -43,21 +43,23 @@ struct AlignOptions {
 template <class V>
 void visit(AlignOptions& o, V&& v) {
   v("max_iterations", o.max_iterations, Bounds{1, 10000}, "[-] associations at most");
-  v("inner_iterations", o.inner_iterations, Bounds{1, 1000}, "[-] steps at most on the same pairs");
-  v("transformation_epsilon", o.transformation_epsilon, Bounds{0, 1}, "[m] stop when a step is smaller");
-  v("rotation_epsilon", o.rotation_epsilon, Bounds{0, 1}, "[rad] stop when a step is smaller");
-  v("fitness_epsilon", o.fitness_epsilon, Bounds{0, 1}, "[-] stop when the mean error changes by a smaller share");
+  v("inner_iterations", o.inner_iterations, Bounds{1, 1000}, "[-] steps at most on the same pairs", kAdvanced);
+  v("transformation_epsilon", o.transformation_epsilon, Bounds{0, 1}, "[m] stop when a step is smaller", kAdvanced);
+  v("rotation_epsilon", o.rotation_epsilon, Bounds{0, 1}, "[rad] stop when a step is smaller", kAdvanced);
+  v("fitness_epsilon", o.fitness_epsilon, Bounds{0, 1}, "[-] stop when the mean error changes by a smaller share",
+    kAdvanced);
   v("kernel", o.kernel, "[-] robust kernel on each pair");
   v("kernel_width", o.kernel_width, Bounds{1e-9, 1e9}, "[-] residual at which the kernel begins to act");
   v("damping", o.damping, Bounds{0, 1e9},
-    "[-] share of the diagonal of J^T J that is added to it (Levenberg, Marquardt)");
+    "[-] share of the diagonal of J^T J that is added to it (Levenberg, Marquardt)", kAdvanced);
   v("min_information", o.min_information, Bounds{0, 1e12},
-    "[-] eigenvalue of the first J^T J below which a direction keeps the predicted pose; 0: all directions move");
+    "[-] eigenvalue of the first J^T J below which a direction keeps the predicted pose; 0: all directions move",
+    kAdvanced);
   v("degeneracy_ratio", o.degeneracy_ratio, Bounds{0, 1},
-    "[-] a direction with less information than this share of the best one is degenerate");
-  v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept");
-  v("active", o.active, "[-] degrees of freedom that change");
-  v("step_ratio", o.step_ratio, Bounds{1e-6, 1}, "[-] of the Gauss-Newton step that is taken");
+    "[-] a direction with less information than this share of the best one is degenerate", kAdvanced);
+  v("min_matches", o.min_matches, Bounds{6, 1e9}, "[-] pairs below which the predicted pose is kept", kAdvanced);
+  v("active", o.active, "[-] degrees of freedom that change", kAdvanced);
+  v("step_ratio", o.step_ratio, Bounds{1e-6, 1}, "[-] of the Gauss-Newton step that is taken", kAdvanced);
 }
 
 /// Normal equations H x = -b of all pairs, and what else one pass over them gives.

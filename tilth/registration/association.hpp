@@ -23,8 +23,9 @@ struct AssociationOptions {
 template <class V>
 void visit(AssociationOptions& o, V&& v) {
   v("max_distance", o.max_distance, Bounds{1e-3, 100}, "[m] between a point and its match");
-  v("lambda", o.lambda, Bounds{1e-12, 1}, "[m^2] added to the diagonal of every covariance");
-  v("renew_distance", o.renew_distance, Bounds{0, 10}, "[m] that a patch moves before its match is looked up anew");
+  v("lambda", o.lambda, Bounds{1e-12, 1}, "[m^2] added to the diagonal of every covariance", kAdvanced);
+  v("renew_distance", o.renew_distance, Bounds{0, 10}, "[m] that a patch moves before its match is looked up anew",
+    kAdvanced);
 }
 
 /// What patches are registered to: find() gives the surface for a point, its normal, and whether it is flat; or

@@ -29,17 +29,20 @@ template <class V>
 void visit(LinePlaneOptions& o, V&& v) {
   v("max_distance", o.max_distance, Bounds{1e-3, 100}, "[m] to the farthest of five neighbours must be less");
   v("line_ratio", o.line_ratio, Bounds{1, 1e6},
-    "[-] of the variance along a line to the next greatest one must be more");
-  v("plane_distance", o.plane_distance, Bounds{1e-6, 100}, "[m] of each neighbour from their plane, at most");
+    "[-] of the variance along a line to the next greatest one must be more", kAdvanced);
+  v("plane_distance", o.plane_distance, Bounds{1e-6, 100}, "[m] of each neighbour from their plane, at most",
+    kAdvanced);
   v("planes_from_sensor", o.planes_from_sensor,
     "[-] n . x = -1, which no plane through the origin fulfils, is fitted about the sensor; false: about the map's "
-    "origin, as FLOAM, LeGO-LOAM and LIO-SAM do");
+    "origin, as FLOAM, LeGO-LOAM and LIO-SAM do",
+    kAdvanced);
   v("weight_slope", o.weight_slope, Bounds{0, 100},
     "[1/m] by which a pair's weight falls from 1 with its distance (of planes: over the root of the point's range in "
     "m); "
-    "pairs of no more than 0.1 are left out (Zhang and Singh)");
+    "pairs of no more than 0.1 are left out (Zhang and Singh)",
+    kAdvanced);
   v("range_from_origin", o.range_from_origin,
-    "[-] as LeGO-LOAM: that range is the distance from the map's origin, not from the sensor");
+    "[-] as LeGO-LOAM: that range is the distance from the map's origin, not from the sensor", kAdvanced);
 }
 
 constexpr std::size_t kFitPoints = 5;

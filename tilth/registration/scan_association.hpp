@@ -25,12 +25,14 @@ struct ScanMatchOptions {
 template <class V>
 void visit(ScanMatchOptions& o, V&& v) {
   v("max_distance", o.max_distance, Bounds{1e-3, 100}, "[m] between a point and each of those it is matched with");
-  v("row_reach", o.row_reach, Bounds{1, 100}, "[rows] between the nearest point and the others");
-  v("renew_every", o.renew_every, Bounds{1, 1000}, "[iterations] after which the nearest points are looked up anew");
+  v("row_reach", o.row_reach, Bounds{1, 100}, "[rows] between the nearest point and the others", kAdvanced);
+  v("renew_every", o.renew_every, Bounds{1, 1000}, "[iterations] after which the nearest points are looked up anew",
+    kAdvanced);
   v("weight_slope", o.weight_slope, Bounds{0, 100},
-    "[1/m] by which a pair's say falls with its distance once they have been looked up anew");
+    "[1/m] by which a pair's say falls with its distance once they have been looked up anew", kAdvanced);
   v("truncated_search", o.truncated_search,
-    "[-] as LOAM and LeGO-LOAM: higher points are looked for only among as many as the new scan has of its own");
+    "[-] as LOAM and LeGO-LOAM: higher points are looked for only among as many as the new scan has of its own",
+    kAdvanced);
 }
 
 /// The points of the last scan, row by row upwards, as the next one is matched with them.

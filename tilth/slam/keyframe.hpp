@@ -21,9 +21,10 @@ template <class V>
 void visit(KeyframeOptions& o, V&& v) {
   v("distance", o.distance, Bounds{0.01, 1000}, "[m] travelled since the last keyframe makes a new one");
   v("angle", o.angle, Bounds{0.1, 180}, "[deg] turned since the last keyframe makes a new one");
-  v("max_patches", o.max_patches, Bounds{50, 1e6}, "[patches] kept of a keyframe at most, evenly over the scan");
-  v("patches", o.patches, "[-] patches of surface");
-  v("context", o.context, "[-] descriptor of a place");
+  v("max_patches", o.max_patches, Bounds{50, 1e6}, "[patches] kept of a keyframe at most, evenly over the scan",
+    kAdvanced);
+  v("patches", o.patches, "[-] patches of surface", kAdvanced);
+  v("context", o.context, "[-] descriptor of a place", kAdvanced);
 }
 
 struct Keyframe {

@@ -69,12 +69,13 @@ template <class V>
 void visit(LoopClosingOptions& o, V&& v) {
   v("keyframe", o.keyframe, "[-] keyframes");
   v("detect", o.detect, "[-] search for earlier passes");
-  v("verify", o.verify, "[-] verification of a candidate");
-  v("submap_from", o.submap_from, Bounds{0, 1000}, "[keyframes] on either side of a candidate that join its submap");
-  v("submap_to", o.submap_to, Bounds{0, 1000}, "[keyframes] before the newest one that join its submap");
-  v("odometry", o.odometry, "[-] how far odometry is believed");
-  v("consistency", o.consistency, "[-] agreement of closures with one another");
-  v("graph", o.graph, "[-] optimisation of the pose graph");
+  v("verify", o.verify, "[-] verification of a candidate", kAdvanced);
+  v("submap_from", o.submap_from, Bounds{0, 1000}, "[keyframes] on either side of a candidate that join its submap",
+    kAdvanced);
+  v("submap_to", o.submap_to, Bounds{0, 1000}, "[keyframes] before the newest one that join its submap", kAdvanced);
+  v("odometry", o.odometry, "[-] how far odometry is believed", kAdvanced);
+  v("consistency", o.consistency, "[-] agreement of closures with one another", kAdvanced);
+  v("graph", o.graph, "[-] optimisation of the pose graph", kAdvanced);
 }
 
 class LoopCloser {

@@ -25,8 +25,8 @@ void visit(DetectOptions& o, V&& v) {
   v("radius", o.radius, Bounds{0, 1e4}, "[m] about the expected place in which earlier keyframes are looked for");
   v("max_candidates", o.max_candidates, Bounds{1, 1000}, "[-] keyframes verified of either kind");
   v("context_candidates", o.context_candidates, Bounds{1, 10000},
-    "[-] keyframes with the most similar rings, whose descriptors are compared");
-  v("max_context_distance", o.max_context_distance, Bounds{0, 1}, "[-] of two descriptors that look alike");
+    "[-] keyframes with the most similar rings, whose descriptors are compared", kAdvanced);
+  v("max_context_distance", o.max_context_distance, Bounds{0, 1}, "[-] of two descriptors that look alike", kAdvanced);
 }
 
 /// What the detector sees: all keyframes, the newest last, where each is thought to be, and what is left open of the
