@@ -1,29 +1,35 @@
-# The installed libraries: rooms gathered into few, each with the libraries its rooms need inside.
-# tilth_package(<name> [ROOMS <room>...] [LIBRARIES <target>...])     LIBRARIES are needed by the headers
-#
-# find_package(tilth) then offers tilth::tilth (Eigen and TBB, nothing else), tilth::simulation, tilth::slam, tilth::io, tilth::run.
+# The installed libraries: tilth::<component> is the rooms under its heading in rooms.txt, with the libraries that they need
+# inside. Of the headers, those of public_headers.txt are installed.
+# tilth_component(<name> [COMPONENTS <component>...] [LIBRARIES <target>...])    LIBRARIES are needed by the headers
 include(CMakePackageConfigHelpers)
 
-function(tilth_package name)
-  cmake_parse_arguments(ARG "" "" "ROOMS;LIBRARIES" ${ARGN})
-  set(target tilth_package_${name})
+function(tilth_component name)
+  cmake_parse_arguments(ARG "" "" "COMPONENTS;LIBRARIES" ${ARGN})
+  if(NOT name IN_LIST components)
+    return()
+  endif()
+  set(target tilth_component_${name})
   add_library(${target} SHARED)
   add_library(tilth::${name} ALIAS ${target})
-  foreach(room IN LISTS ARG_ROOMS)
+  foreach(room IN LISTS ${name}_ROOMS)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:tilth_${room}>)
     get_target_property(libraries tilth_${room} LINK_LIBRARIES)
     list(FILTER libraries EXCLUDE REGEX "^tilth_")
     list(REMOVE_ITEM libraries ${ARG_LIBRARIES})
     target_link_libraries(${target} PRIVATE ${libraries})
   endforeach()
+  foreach(below IN LISTS ARG_COMPONENTS)
+    if(below IN_LIST components)
+      target_link_libraries(${target} PUBLIC tilth::${below})
+    endif()
+  endforeach()
   target_link_libraries(${target} PUBLIC ${ARG_LIBRARIES})
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
                                                  $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  string(REPLACE "tilth_tilth" "tilth" output tilth_${name})
   set_target_properties(
     ${target}
-    PROPERTIES OUTPUT_NAME ${output}
+    PROPERTIES OUTPUT_NAME tilth_${name}
                EXPORT_NAME ${name}
                VERSION ${PROJECT_VERSION}
                SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
@@ -32,12 +38,23 @@ function(tilth_package name)
   install(TARGETS ${target} EXPORT tilth LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endfunction()
 
-tilth_package(tilth ROOMS core search sensor evaluation preprocess features registration map odometry LIBRARIES
-              Eigen3::Eigen TBB::tbb)
-tilth_package(simulation ROOMS simulation LIBRARIES tilth::tilth)
-tilth_package(io ROOMS io messages gazebo sources LIBRARIES tilth::tilth tilth::simulation)
-tilth_package(slam ROOMS slam LIBRARIES tilth::tilth)
-tilth_package(run ROOMS plot run report study LIBRARIES tilth::tilth tilth::io tilth::slam)
+tilth_component(odometry LIBRARIES Eigen3::Eigen TBB::tbb)
+tilth_component(slam COMPONENTS odometry)
+tilth_component(simulation COMPONENTS odometry)
+tilth_component(gazebo COMPONENTS simulation)
+tilth_component(io COMPONENTS odometry simulation gazebo)
+tilth_component(run COMPONENTS odometry slam io)
+
+# "tilth.hpp" stands above the rooms.
+set(public_headers ${PROJECT_SOURCE_DIR}/cmake/public_headers.txt)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${public_headers})
+file(STRINGS ${public_headers} public_headers REGEX "^[a-z]")
+foreach(header IN LISTS public_headers)
+  get_filename_component(room ${header} DIRECTORY)
+  if(room STREQUAL "" OR room IN_LIST rooms)
+    install(FILES ${PROJECT_SOURCE_DIR}/tilth/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tilth/${room})
+  endif()
+endforeach()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/tilth)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/tilthConfig.cmake.in ${PROJECT_BINARY_DIR}/tilthConfig.cmake
@@ -46,8 +63,3 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/tilthConfigVersion.cmake 
 install(FILES ${PROJECT_BINARY_DIR}/tilthConfig.cmake ${PROJECT_BINARY_DIR}/tilthConfigVersion.cmake
         DESTINATION ${package_folder})
 install(EXPORT tilth NAMESPACE tilth:: FILE tilthTargets.cmake DESTINATION ${package_folder})
-install(
-  DIRECTORY ${PROJECT_SOURCE_DIR}/tilth
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING
-  PATTERN "*.hpp")

@@ -1,20 +1,32 @@
 # A room is a folder of tilth/: its sources become an object library tilth_<room>, which sees only the rooms it may include.
-# tilth_read_rooms(<out>)                   the rooms of rooms.txt in their order; <room>_ROOMS holds those it may include
+# tilth_read_rooms()     of rooms.txt, but for what is switched off: components, rooms, <component>_ROOMS, <room>_BELOW
 # tilth_room(<name> [ROOMS <room>...])      libraries of its own are linked in rooms/<name>.cmake
 # tilth_tests(<name> [ROOMS <room>...] [LIBRARIES <target>...])     tests/<name>/*_test.cpp -> one GoogleTest program
 
-function(tilth_read_rooms out)
+function(tilth_read_rooms)
   set(list ${PROJECT_SOURCE_DIR}/cmake/rooms.txt)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
-  file(STRINGS ${list} lines REGEX "^[a-z]")
-  set(names "")
+  set(TILTH_WITH_ODOMETRY ON)
+  file(STRINGS ${list} lines REGEX "^[^#]")
   foreach(line IN LISTS lines)
-    string(REGEX MATCHALL "[a-z]+" below "${line}")
-    list(POP_FRONT below name)
-    list(APPEND names ${name})
-    set(${name}_ROOMS ${below} PARENT_SCOPE)
+    string(REGEX MATCHALL "[a-z]+" words "${line}")
+    list(POP_FRONT words name)
+    string(TOUPPER ${name} upper)
+    if(line MATCHES "^\\[")
+      set(component ${name})
+      set(wanted ${TILTH_WITH_${upper}})
+      if(wanted)
+        list(APPEND components ${component})
+      endif()
+    elseif(wanted)
+      list(APPEND rooms ${name})
+      list(APPEND ${component}_ROOMS ${name})
+      set(${component}_ROOMS ${${component}_ROOMS} PARENT_SCOPE)
+      set(${name}_BELOW ${words} PARENT_SCOPE)
+    endif()
   endforeach()
-  set(${out} ${names} PARENT_SCOPE)
+  set(components ${components} PARENT_SCOPE)
+  set(rooms ${rooms} PARENT_SCOPE)
 endfunction()
 
 function(tilth_room name)

@@ -1,4 +1,5 @@
 # libsdformat goes by its version: 12 in Debian 12, 14 in Ubuntu 24.04. Both libraries are needed inside the room only.
+find_package(PkgConfig REQUIRED)
 foreach(version 15 14 13 12)
   pkg_check_modules(SDFORMAT QUIET IMPORTED_TARGET sdformat${version})
   if(SDFORMAT_FOUND)

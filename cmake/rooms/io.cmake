@@ -1,4 +1,6 @@
 # The formats' own libraries are needed inside the room only.
+find_package(PkgConfig REQUIRED)
+find_package(yaml-cpp REQUIRED)
 pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(PCAP REQUIRED IMPORTED_TARGET libpcap)
 pkg_check_modules(SQLITE REQUIRED IMPORTED_TARGET sqlite3)

@@ -1,5 +1,6 @@
 # JSON is written, and zlib and the page's script are needed, inside the room only.
 find_package(ZLIB REQUIRED)
+find_package(nlohmann_json REQUIRED)
 target_link_libraries(tilth_report PRIVATE nlohmann_json::nlohmann_json ZLIB::ZLIB)
 
 # The script of report.html is bundled where scripts/setup got its libraries; else three empty files stand in for it.

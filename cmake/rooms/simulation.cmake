@@ -1,2 +1,3 @@
 # Embree is needed inside the room only.
+find_package(embree 3)
 target_link_libraries(tilth_simulation PRIVATE embree)

@@ -1,2 +1,3 @@
 # JSON is written inside the room only.
+find_package(nlohmann_json REQUIRED)
 target_link_libraries(tilth_study PRIVATE nlohmann_json::nlohmann_json)

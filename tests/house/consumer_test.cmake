@@ -1,5 +1,8 @@
-# Installs the build into a folder of its own, then configures, builds and runs a user's project against it.
-# cmake -D BUILD=<build folder> -D WORK=<folder> -D SOURCE=<consumer project> -D COMPILER=<c++> -P consumer_test.cmake
+# Installs the build into a folder of its own, then configures, builds and runs users' projects against it: one of all
+# components, and the examples.
+# cmake -D BUILD=<build folder> -D WORK=<folder> -D SOURCE=<root of Tilth> -D COMPILER=<c++> -D FLAGS=<flags> -P consumer_test.cmake
+set(installed ${WORK}/installed)
+set(tilth ${installed}/bin/tilth)
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 
@@ -7,9 +10,92 @@ function(run)
   execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
-run(${CMAKE_COMMAND} -G Ninja -S ${SOURCE} -B ${WORK}/build -D CMAKE_PREFIX_PATH=${WORK}/installed -D
-    CMAKE_CXX_COMPILER=${COMPILER})
-run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/consumer)
-run(${WORK}/installed/bin/tilth pipelines)
+# run_into(<file> <command>...)
+function(run_into file)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} OUTPUT_FILE ${WORK}/${file} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+# fails(<text> <command>...): the command fails and says `text`.
+function(fails text)
+  execute_process(COMMAND ${ARGN} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  string(REGEX REPLACE "[ \n]+" " " said "${said}")
+  if(result EQUAL 0 OR NOT said MATCHES "${text}")
+    message(FATAL_ERROR "${ARGN} ended with ${result} and said\n${said}\ninstead of\n${text}")
+  endif()
+endfunction()
+
+function(configure source folder)
+  run(${CMAKE_COMMAND} -G Ninja -S ${source} -B ${WORK}/${folder} -D CMAKE_PREFIX_PATH=${installed} -D
+      CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS} ${ARGN})
+endfunction()
+
+# Only the headers of the list are installed.
+function(check_headers)
+  file(STRINGS ${SOURCE}/cmake/public_headers.txt listed REGEX "^[a-z]")
+  file(GLOB_RECURSE there RELATIVE ${installed}/include/tilth ${installed}/include/tilth/*)
+  list(SORT listed)
+  list(SORT there)
+  if(NOT listed STREQUAL there)
+    message(FATAL_ERROR "installed headers:\n${there}\ninstead of\n${listed}")
+  endif()
+endfunction()
+
+# The odometry's library needs TBB and Highway, and what every program needs.
+function(check_odometry_libraries)
+  file(GLOB library ${installed}/lib*/libtilth_odometry.so ${installed}/lib*/*/libtilth_odometry.so)
+  file(GET_RUNTIME_DEPENDENCIES LIBRARIES ${library} RESOLVED_DEPENDENCIES_VAR needed)
+  foreach(file IN LISTS needed)
+    get_filename_component(name ${file} NAME)
+    if(NOT name MATCHES "^(ld-linux|lib(tbb|hwy|stdc|gcc_s|m|c|dl|rt|pthread|atomic|asan|ubsan|tsan)[.+-])")
+      message(FATAL_ERROR "libtilth_odometry.so needs ${file}")
+    endif()
+  endforeach()
+endfunction()
+
+# A build of the odometry alone looks for nothing but Eigen, TBB, Highway and nanoflann.
+function(check_odometry_build)
+  set(without "")
+  foreach(package Ceres embree PkgConfig yaml-cpp BZip2 ZLIB CLI11 nlohmann_json GTest)
+    list(APPEND without -D CMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+  endforeach()
+  foreach(component SLAM SIMULATION IO)
+    list(APPEND without -D TILTH_WITH_${component}=OFF)
+  endforeach()
+  configure(${SOURCE} odometry_build ${without})
+endfunction()
+
+# The trajectory in <file> keeps within 0.1 m of the truth.
+function(judge file)
+  run(${tilth} evaluate ${WORK}/drive/truth.tum ${WORK}/${file} --align origin --interpolate --json ${WORK}/judged.json)
+  file(READ ${WORK}/judged.json judged)
+  string(JSON worst GET "${judged}" ape translation max)
+  if(NOT worst LESS 0.1)
+    message(FATAL_ERROR "${file} strays ${worst} m from the truth")
+  endif()
+endfunction()
+
+function(run_examples)
+  configure(${SOURCE}/examples examples)
+  run(${CMAKE_COMMAND} --build ${WORK}/examples)
+  run(${tilth} simulate corridor --out ${WORK}/drive --set duration=14)
+  run(${WORK}/examples/01_align_two_clouds ${WORK}/drive/scans/000130.pcd ${WORK}/drive/scans/000135.pcd)
+  fails("usage: 02_run_odometry" ${WORK}/examples/02_run_odometry)
+  foreach(example 02_run_odometry 03_own_pipeline)
+    run_into(${example}.tum ${WORK}/examples/${example} ${WORK}/drive)
+    judge(${example}.tum)
+  endforeach()
+  run(${WORK}/examples/04_run_a_recording ${WORK}/drive ${WORK}/folder)
+  judge(folder/trajectory.tum)
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${installed})
+run(${tilth} pipelines)
+check_headers()
+check_odometry_libraries()
+check_odometry_build()
+configure(${SOURCE}/tests/house/consumer consumer)
+run(${CMAKE_COMMAND} --build ${WORK}/consumer)
+run(${WORK}/consumer/consumer)
+run(${WORK}/consumer/odometry_alone)
+fails("built with: odometry" ${CMAKE_COMMAND} -D ANOTHER=teleport ${WORK}/consumer)
+run_examples()

@@ -16,7 +16,7 @@ using Rooms = std::map<std::string, std::set<std::string>>;
 Rooms rooms_of(const std::string& list) {
   Rooms rooms;
   for (const std::string& line : lines_of(list)) {
-    if (line.empty() || line.starts_with('#')) continue;
+    if (line.empty() || line.starts_with('#') || line.starts_with('[')) continue;
     const std::size_t colon = line.find(':');
     std::istringstream below(line.substr(colon + 1));
     std::set<std::string> names;
@@ -70,6 +70,7 @@ std::string room_of(const std::string& path) {
 TEST(IncludeDirection, RoomsSeeOnlyWhatStandsBelowThem) {
   const Rooms may_include = rooms();
   for (const SourceFile& file : source_files("tilth")) {
+    if (file.path == "tilth/tilth.hpp") continue;  // stands above all rooms
     const std::string room = room_of(file.path);
     ASSERT_TRUE(may_include.contains(room)) << file.path << " stands in a room that cmake/rooms.txt does not know";
     for (const std::string& include : includes_of(file.text)) {

@@ -74,10 +74,6 @@ class ParserSettings {
 
 }  // namespace
 
-bool is_world_file(const std::string& name) {
-  return name.ends_with(".world") || name.ends_with(".sdf");
-}
-
 WorldFile read_world_file(const std::filesystem::path& path, const std::vector<std::string>& model_folders) {
   const std::string text = sdf_text(path);
   const ModelPath model_path(path, model_folders);

@@ -17,9 +17,6 @@ struct WorldFile {
   std::vector<std::string> warnings;  ///< what was left out, and why
 };
 
-/// Whether a name ends in .world or .sdf.
-bool is_world_file(const std::string& name);
-
 /// Looks for models and meshes in `model_folders` and where ModelPath says. A model or mesh that is missing or broken
 /// is left out with a warning that names its URI. Throws Error naming the file and the element where it is no SDF, and
 /// where nothing is left that a beam could meet.

@@ -10,21 +10,21 @@
 namespace tilth {
 namespace {
 
-struct Pipeline {
+struct PipelineMaker {
   PipelineInfo info;
   std::function<std::unique_ptr<Odometry>(const OptionValues&)> make;
   std::function<std::vector<OptionInfo>(const OptionValues&)> describe;
 };
 
 template <class P, class O>
-Pipeline pipeline(const std::string& name, const std::string& summary) {
+PipelineMaker pipeline(const std::string& name, const std::string& summary) {
   return {{name, summary},
           [](const OptionValues& values) { return std::make_unique<P>(with<O>(values)); },
           [](const OptionValues& values) { return describe(with<O>(values)); }};
 }
 
-const std::vector<Pipeline>& all() {
-  static const std::vector<Pipeline> pipelines{
+const std::vector<PipelineMaker>& all() {
+  static const std::vector<PipelineMaker> pipelines{
       pipeline<TilthOdometry, TilthOptions>(
           "tilth", "patches of surface, a map by the way they face, pose and velocity estimated together"),
       pipeline<ImprovedFloam, ImprovedFloamOptions>("improved_floam",
@@ -36,9 +36,9 @@ const std::vector<Pipeline>& all() {
   return pipelines;
 }
 
-const Pipeline& find(const std::string& name) {
+const PipelineMaker& find(const std::string& name) {
   std::string known;
-  for (const Pipeline& p : all()) {
+  for (const PipelineMaker& p : all()) {
     if (p.info.name == name) return p;
     known += (known.empty() ? "" : ", ") + p.info.name;
   }
@@ -49,7 +49,7 @@ const Pipeline& find(const std::string& name) {
 
 std::vector<PipelineInfo> pipelines() {
   std::vector<PipelineInfo> infos;
-  for (const Pipeline& p : all()) infos.push_back(p.info);
+  for (const PipelineMaker& p : all()) infos.push_back(p.info);
   return infos;
 }
 

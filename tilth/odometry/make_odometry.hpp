@@ -18,7 +18,7 @@ struct PipelineInfo {
 std::vector<PipelineInfo> pipelines();
 
 /// Throws Error on an unknown name, option or bound.
-std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionValues& values);
+std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionValues& values = {});
 
 /// The options of a pipeline with `values` set, for `tilth config`, documents and summaries. Throws like make_odometry.
 std::vector<OptionInfo> describe_odometry(const std::string& name, const OptionValues& values);

@@ -31,14 +31,14 @@ Degrees hdl32_degrees() {
 }
 
 /// A row but for its angles; times in microseconds, the optical centre in metres and degrees.
-struct Row {
+struct FormatRow {
   const char *name, *title;
   PacketTail tail;
   std::vector<std::uint8_t> models;
   double channel_us, firing_us, unit, radius, angle;
 };
 
-PacketFormat row(const Row& r, const Degrees& degrees) {
+PacketFormat row(const FormatRow& r, const Degrees& degrees) {
   std::vector<double> elevations;
   for (const double angle : degrees) elevations.push_back(angle * kDegree);
   PacketFormat format;

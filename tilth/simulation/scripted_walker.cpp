@@ -9,12 +9,12 @@ namespace tilth {
 namespace {
 
 /// Between way-points `index - 1` and `index`, a share of the way on.
-struct Place {
+struct Step {
   std::size_t index = 0;
   double ratio = 0.0;
 };
 
-Place place_at(const ScriptedWalker& walker, double time) {
+Step step_at(const ScriptedWalker& walker, double time) {
   const std::vector<Footing>& script = walker.script;
   const double round = walker.delay + script.back().time;
   if (walker.loop && round > 0) time = std::fmod(std::max(time, 0.0), round);
@@ -29,7 +29,7 @@ Place place_at(const ScriptedWalker& walker, double time) {
 }  // namespace
 
 Pose pose_at(const ScriptedWalker& walker, double time) {
-  const auto [index, ratio] = place_at(walker, time);
+  const auto [index, ratio] = step_at(walker, time);
   const Footing& to = walker.script[index];
   const Footing& from = walker.script[index > 0 ? index - 1 : 0];
   const double turn = std::remainder(to.yaw - from.yaw, 2 * std::numbers::pi);
@@ -39,7 +39,7 @@ Pose pose_at(const ScriptedWalker& walker, double time) {
 Eigen::AlignedBox3d feet_between(const ScriptedWalker& walker, double begin, double end) {
   Eigen::AlignedBox3d box(pose_at(walker, begin).translation());
   box.extend(pose_at(walker, end).translation());
-  const std::size_t from = place_at(walker, begin).index, to = place_at(walker, end).index;
+  const std::size_t from = step_at(walker, begin).index, to = step_at(walker, end).index;
   const bool anew = to < from || (walker.loop && end - begin >= walker.delay + walker.script.back().time);
   for (std::size_t i = anew ? 0 : from; i < (anew ? walker.script.size() : to); ++i) {
     box.extend(walker.script[i].position);
@@ -48,7 +48,7 @@ Eigen::AlignedBox3d feet_between(const ScriptedWalker& walker, double begin, dou
 }
 
 double walked_at(const ScriptedWalker& walker, double time) {
-  const auto [index, ratio] = place_at(walker, time);
+  const auto [index, ratio] = step_at(walker, time);
   double walked = 0;
   for (std::size_t i = 1; i <= index; ++i) {
     const double leg = (walker.script[i].position - walker.script[i - 1].position).norm();

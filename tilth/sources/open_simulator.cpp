@@ -1,21 +1,15 @@
-#include <sstream>
-
 #include <tilth/core/error.hpp>
-#include <tilth/gazebo/world_file.hpp>
 #include <tilth/io/trajectory_file.hpp>
 #include <tilth/simulation/layout.hpp>
 #include <tilth/sources/open_simulator.hpp>
+#include <tilth/sources/world_scene.hpp>
 
 namespace tilth {
 namespace {
 
-std::vector<std::string> folders_of(const std::string& model_path) {
-  std::vector<std::string> folders;
-  std::istringstream words(model_path);
-  for (std::string folder; std::getline(words, folder, ':');) {
-    if (!folder.empty()) folders.push_back(folder);
-  }
-  return folders;
+/// Whether a name ends in .world or .sdf.
+bool is_world_file(const std::string& name) {
+  return name.ends_with(".world") || name.ends_with(".sdf");
 }
 
 bool has_own_path(const PathOptions& own) {
@@ -41,13 +35,6 @@ Trajectory own_path(const SimulationOptions& options) {
              options.scene.duration);
 }
 
-Scene scene_of(const std::string& file, const SimulationOptions& options, std::vector<std::string>& warnings) {
-  if (options.scene.people > 0) throw Error("people", "are those of the world file: only its actors walk there");
-  WorldFile world = read_world_file(file, folders_of(options.path.model_path));
-  warnings = std::move(world.warnings);
-  return {std::move(world.mesh), std::move(world.movers), {}};
-}
-
 }  // namespace
 
 OpenedSimulator open_simulator(const std::string& name, const OptionValues& values) {
@@ -62,7 +49,10 @@ OpenedSimulator open_simulator(const std::string& name, const OptionValues& valu
                 "has no way for the sensor: give --waypoints \"x,y;x,y\" or --path FILE.tum (a pose a line: stamp "
                 "x y z qx qy qz qw)");
   }
-  Scene scene = world_file ? scene_of(name, options, opened.warnings) : make_scene(name, options.scene);
+  if (world_file && options.scene.people > 0)
+    throw Error("people", "are those of the world file: only its actors walk there");
+  Scene scene =
+      world_file ? world_scene(name, options.path.model_path, opened.warnings) : make_scene(name, options.scene);
   if (own) {
     scene.trajectory = own_path(options);
     scene.movers.walkers = kept_clear(std::move(scene.movers.walkers), scene.trajectory);

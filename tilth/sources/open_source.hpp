@@ -20,6 +20,6 @@ struct SourceOptions {
 /// Opens a folder of scans, a KITTI sequence, a bag, packets (a network capture or bare payloads), each as
 /// PATH?key=value&... where `values` do not say it all, a sensor (udp://[ADDRESS]:PORT?key=value&...) or a simulation
 /// (sim://SCENE?key=value&...). Throws Error naming what is missing, not understood or means nothing for what is there.
-std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOptions& options);
+std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOptions& options = {});
 
 }  // namespace tilth

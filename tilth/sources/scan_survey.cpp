@@ -10,17 +10,17 @@ constexpr double kGapFactor = 1.5;
 constexpr std::size_t kIntensityBins = 8;
 
 /// Intensities come as shares, bytes or wider numbers: the first scan tells.
-Histogram intensity_bins(const std::vector<float>& values) {
+SurveyHistogram intensity_bins(const std::vector<float>& values) {
   const float largest = *std::max_element(values.begin(), values.end());
   const double full = largest <= 1.0F ? 1.0 : largest <= 255.0F ? 256.0 : 65536.0;
-  Histogram bins{{}, std::vector<std::size_t>(kIntensityBins, 0)};
+  SurveyHistogram bins{{}, std::vector<std::size_t>(kIntensityBins, 0)};
   for (std::size_t i = 0; i <= kIntensityBins; ++i) bins.borders.push_back(full * double(i) / double(kIntensityBins));
   return bins;
 }
 
 }  // namespace
 
-void Histogram::add(double value) {
+void SurveyHistogram::add(double value) {
   const auto above = std::upper_bound(borders.begin() + 1, borders.end() - 1, value);
   ++counts[std::size_t(above - borders.begin()) - 1];
 }

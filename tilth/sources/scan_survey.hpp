@@ -12,7 +12,7 @@
 
 namespace tilth {
 
-struct Histogram {
+struct SurveyHistogram {
   std::vector<double> borders;  ///< ascending, one more than counts; the last bin takes what lies above
   std::vector<std::size_t> counts;
   void add(double value);
@@ -39,17 +39,17 @@ class ScanSurvey {
   std::size_t scans_with_rings() const { return scans_with_rings_; }
   const std::vector<std::size_t>& points_on_rings() const { return ring_counts_; }
   double first_stamp() const { return stamps_.empty() ? 0.0 : stamps_.front(); }
-  double ratio_nearer(double range) const;             ///< of the points; `range` is a border of ranges()
-  const Histogram& ranges() const { return ranges_; }  ///< [m]
-  const std::optional<Histogram>& intensities() const { return intensities_; }
+  double ratio_nearer(double range) const;                   ///< of the points; `range` is a border of ranges()
+  const SurveyHistogram& ranges() const { return ranges_; }  ///< [m]
+  const std::optional<SurveyHistogram>& intensities() const { return intensities_; }
 
  private:
   std::vector<double> stamps_;
   std::size_t points_ = 0, fewest_ = 0, most_ = 0, scans_with_times_ = 0, scans_with_rings_ = 0;
   double longest_turn_ = 0.0;
   std::vector<std::size_t> ring_counts_;
-  Histogram ranges_{{0, 0.5, 1, 2, 5, 10, 20, 50, 100, 200}, std::vector<std::size_t>(9, 0)};
-  std::optional<Histogram> intensities_;
+  SurveyHistogram ranges_{{0, 0.5, 1, 2, 5, 10, 20, 50, 100, 200}, std::vector<std::size_t>(9, 0)};
+  std::optional<SurveyHistogram> intensities_;
 };
 
 /// Counts and histograms as text, one line an entry.

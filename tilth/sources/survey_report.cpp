@@ -20,7 +20,7 @@ std::string text(const char* format, A... values) {
   return line;
 }
 
-void add_bars(const Histogram& histogram, const std::string& unit, std::vector<std::string>& lines) {
+void add_bars(const SurveyHistogram& histogram, const std::string& unit, std::vector<std::string>& lines) {
   const std::size_t most =
       std::max<std::size_t>(1, *std::max_element(histogram.counts.begin(), histogram.counts.end()));
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {

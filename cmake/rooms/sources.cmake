@@ -1,0 +1,13 @@
+# What the build lacks is refused where it is asked for: one file of each pair is compiled.
+if(TILTH_WITH_SIMULATION)
+  set(left_out without_simulation)
+else()
+  set(left_out simulated_source open_simulator world_scene without_gazebo)
+endif()
+if(TILTH_WITH_GAZEBO)
+  list(APPEND left_out without_gazebo)
+else()
+  list(APPEND left_out world_scene)
+endif()
+list(TRANSFORM left_out REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/tilth/sources/\\1.cpp")
+set_source_files_properties(${left_out} PROPERTIES HEADER_FILE_ONLY ON)
