@@ -11,6 +11,20 @@ extern "C" void remember(int signal) {
   last_signal = signal;
 }
 
+/// The terminal is gone: what is still said must not end the program before its results are written.
+extern "C" void remember_hangup(int signal) {
+  last_signal = signal;
+  struct sigaction action {};
+  action.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &action, nullptr);
+}
+
+/// Whoever started the program had it ignored, as nohup has SIGHUP.
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 void remember_interrupts() {
@@ -19,6 +33,9 @@ void remember_interrupts() {
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  if (is_ignored(SIGHUP)) return;
+  action.sa_handler = remember_hangup;
+  sigaction(SIGHUP, &action, nullptr);
 }
 
 int interrupted() {

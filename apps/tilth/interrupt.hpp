@@ -1,17 +1,18 @@
-// Ctrl-C and SIGTERM as a question that long loops ask; the second one ends the program at once.
+// Ctrl-C, SIGTERM and SIGHUP (the terminal or ssh session ends) as a question that long loops ask; the second one ends
+// the program at once.
 #pragma once
 
 #include <tilth/sources/open_source.hpp>
 
 namespace tilth::app {
 
-/// From now on the first SIGINT or SIGTERM is only remembered.
+/// From now on the first SIGINT, SIGTERM or SIGHUP is only remembered; a SIGHUP that nohup has ignored stays so.
 void remember_interrupts();
 
 /// The signal that came, or zero.
 int interrupted();
 
-/// `options` with Ctrl-C as the end of a live source.
+/// `options` with such a signal as the end of a live source.
 SourceOptions stopped_by_signals(SourceOptions options);
 
 /// Of what goes on where it was when it is called again, whichever signal ended it.

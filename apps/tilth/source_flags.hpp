@@ -12,7 +12,7 @@ class App;
 
 namespace tilth::app {
 
-/// --topic, --rate, and a flag for each option of packets and of point clouds. `source` outlives the parsing.
+/// --topic, --frame, --rate, and a flag for each option of packets and of point clouds. `source` outlives the parsing.
 void add_source_flags(CLI::App& command, SourceOptions& source);
 
 /// What those flags say, each as source.KEY; with SourceOptions{} what they say where none is given.

@@ -28,7 +28,7 @@ TEST_F(Run, WritesEveryFileForEveryScan) {
   write_room(scans_, 12);
   const Outcome outcome = run("out");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.err.find("error"), std::string::npos) << outcome.err;
   EXPECT_EQ(lines_in(result("out", "trajectory.tum")), 12U);
   EXPECT_EQ(lines_in(result("out", "trajectory_kitti.txt")), 12U);
   EXPECT_EQ(lines_in(result("out", "scans.csv")), 13U);
@@ -116,18 +116,49 @@ TEST_F(Run, JudgesItselfByPosesWithoutStamps) {
   EXPECT_NE(info.out.find("12 poses without stamps"), std::string::npos) << info.out << info.err;
 }
 
+TEST_F(Run, WarnsOfWhatInfoWarnsOf) {
+  write_room(scans_, 12);
+  for (int i = 0; i < 12; ++i) {
+    const std::string name = std::to_string(0.1 * i + (i < 6 ? 0.0 : 0.7)) + ".pcd";
+    std::filesystem::rename(scans_ / scan_name(i), scans_ / name);
+  }
+  const Outcome outcome = run("out");
+  const Outcome info = tilth({"info", scans_.string()});
+  for (const char* warning : {"no times of their own", "0.80 s pass after scan 5"}) {
+    EXPECT_NE(info.out.find(warning), std::string::npos) << info.out;
+    EXPECT_NE(outcome.err.find(warning), std::string::npos) << outcome.err;
+    EXPECT_NE(result("out", "summary.json").find(warning), std::string::npos);
+  }
+}
+
 TEST_F(Run, WritesWhatItHasWhenInterrupted) {
   write_room(scans_, 400);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const Program program({"run", scans_.string(), "--out", (folder_ / "out").string()});
+    while (program.running() && program.out_so_far().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    program.signal(signal);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 128 + signal) << outcome.err;
+    EXPECT_NE(outcome.out.find("interrupted"), std::string::npos) << outcome.out;
+    const std::size_t poses = lines_in(result("out", "trajectory.tum"));
+    EXPECT_GT(poses, 0U);
+    EXPECT_LT(poses, 400U);
+    EXPECT_EQ(lines_in(result("out", "scans.csv")), poses + 1);
+  }
+}
+
+TEST_F(Run, GoesOnAfterAHangupThatIsIgnored) {
+  write_room(scans_, 40);
+  struct sigaction before {
+  }, ignored{};
+  ignored.sa_handler = SIG_IGN;
+  sigaction(SIGHUP, &ignored, &before);  // as nohup does
   const Program program({"run", scans_.string(), "--out", (folder_ / "out").string()});
+  sigaction(SIGHUP, &before, nullptr);
   while (program.running() && program.out_so_far().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  program.signal(SIGINT);
-  const Outcome outcome = program.wait();
-  EXPECT_EQ(outcome.exit_code, 128 + SIGINT) << outcome.err;
-  EXPECT_NE(outcome.out.find("interrupted"), std::string::npos) << outcome.out;
-  const std::size_t poses = lines_in(result("out", "trajectory.tum"));
-  EXPECT_GT(poses, 0U);
-  EXPECT_LT(poses, 400U);
-  EXPECT_EQ(lines_in(result("out", "scans.csv")), poses + 1);
+  program.signal(SIGHUP);
+  EXPECT_EQ(program.wait().exit_code, 0);
+  EXPECT_EQ(lines_in(result("out", "trajectory.tum")), 40U);
 }
 
 }  // namespace

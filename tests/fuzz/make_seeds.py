@@ -204,7 +204,21 @@ def main():
     write("ply", "little.ply", ply("binary_little_endian", raw))
     write("ply", "big.ply", ply("binary_big_endian", b"".join(struct.pack(">4f", *p) for p in rows)))
     write("kitti_bin", "scan.bin", raw)
+    write("kitti_bin", "five.bin", b"".join(struct.pack("<5f", *p, i % 16) for i, p in enumerate(rows)))
+    write("kitti_bin", "six.bin", b"".join(struct.pack("<6f", *p, i % 16, i / 400) for i, p in enumerate(rows)))
+    lower = "version 0.7\nfields x y e z\nsize 4 4 2 4\ntype f f u f\ncount 1 1 0 1\nwidth 3\nheight 1\npoints 3\n"
+    write("pcd", "count_zero.pcd", lower + "data ascii\n" + "1 2 3\n" * 3)
+    write("pcd", "count_zero_binary.pcd", (lower + "data binary\n").encode() + struct.pack("<ffHf", 1, 2, 7, 3) * 3)
+    listed = "ply\nformat %s 1.0\nelement vertex 2\nproperty list uchar short seen\nproperty float x\n" \
+             "property float y\nproperty float z\nend_header\n"
+    write("ply", "lists.ply", listed % "ascii" + "2 7 8 1 2 3\n0 4 5 6\n")
+    write("ply", "lists_binary.ply", (listed % "binary_little_endian").encode() + struct.pack("<Bhhfff", 2, 7, 8, 1, 2, 3)
+          + struct.pack("<Bfff", 0, 4, 5, 6))
     write("point_cloud2", "cloud", cloud_message(40))
+    organised = cloud_message(40).replace(struct.pack("<II", 1, 40), struct.pack("<II", 4, 10), 1)
+    organised = organised.replace(struct.pack("<BIII", 0, 16, 640, 640), struct.pack("<BIII", 1, 16, 0, 640), 1)
+    write("point_cloud2", "organised_row_step_0", organised)
+    write("date_times_file", "timestamps.txt", "2011-09-26 13:02:25.951199337\n2011-09-26 13:02:26.054\n")
     write("point_cloud2_cdr", "cloud", cloud_cdr(40))
     write("packet_message", "velodyne_ros1", b"\x01" + scan_message(vlp16[:2], False))
     write("packet_message", "velodyne_cdr", b"\x03" + scan_message(vlp16[:2], True))
@@ -229,6 +243,7 @@ def main():
           f"EDGE_SE3:QUAT 0 1 {values}\n")
     write("rosbag2_metadata", "metadata.yaml", "rosbag2_bagfile_information:\n  version: 8\n  storage_identifier: mcap\n"
           "  relative_file_paths:\n    - bag_0.mcap\n    - sub/bag_1.mcap.zstd\n  message_count: 2\n")
+    write("rosbag2_metadata", "empty_storage.yaml", "rosbag2_bagfile_information:\n  storage_identifier: \"\"\n")
     write("times_file", "times.txt", "0.0\n0.1\n1e-1\n")
     write("config", "config.yaml", "pipeline: improved_floam\nsor:\n  k: 8\n  alpha: 1.0\nlist: [1, 2]\nanchor: &a {b: c}\n")
 

@@ -15,6 +15,7 @@
 #include "temporary_file.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/io/config_file.hpp>
+#include <tilth/io/date_times_file.hpp>
 #include <tilth/io/g2o.hpp>
 #include <tilth/io/kitti_bin.hpp>
 #include <tilth/io/mcap.hpp>
@@ -32,7 +33,7 @@
 #include <tilth/messages/point_cloud2.hpp>
 #include <tilth/sensor/device_packet.hpp>
 #include <tilth/sensor/packet_decoder.hpp>
-#include <tilth/sensor/scan_decoder.hpp>
+#include <tilth/sensor/recording_decoder.hpp>
 
 namespace tilth::fuzz {
 
@@ -83,8 +84,8 @@ inline void payload_file(Bytes bytes) {
 
 inline void decode_records(const PointRecords& records) {
   require(records.bytes.size() == records.count * records.stride);
-  const StampedRecords stamped{{1.0, std::nullopt}, records};
-  const ScanDecoder decoder(std::span(&stamped, 1), {});
+  StampedRecords stamped{{1.0, std::nullopt}, records};
+  RecordingDecoder decoder(std::span(&stamped, 1), {});
   const Scan scan = decoder.decode(stamped);
   for (const Eigen::Vector3d& point : scan.cloud.points) require(point.allFinite());
 }
@@ -152,6 +153,10 @@ inline void pose_file(Bytes bytes) {
     require(pose.T_world_lidar.matrix().allFinite());
 }
 
+inline void date_times_file(Bytes bytes) {
+  for (const double time : read_date_times(TemporaryFile(bytes).path())) require(std::isfinite(time));
+}
+
 inline void times_file(Bytes bytes) {
   for (const double time : read_times(TemporaryFile(bytes).path())) require(std::isfinite(time));
 }
@@ -195,6 +200,7 @@ inline constexpr std::array kTargets{
     Target{"kitti_bin", kitti_bin},
     Target{"pose_file", pose_file},
     Target{"times_file", times_file},
+    Target{"date_times_file", date_times_file},
     Target{"config", config},
     Target{"point_cloud2", point_cloud2},
     Target{"point_cloud2_cdr", point_cloud2_cdr},

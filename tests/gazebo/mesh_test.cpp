@@ -77,6 +77,23 @@ TEST_F(Meshes, Stl) {
   EXPECT_TRUE(std::isinf(range({0, 0.9, 1}, kX)));
 }
 
+TEST_F(Meshes, OfModelsNamedByFileAreFoundInTheModelPath) {
+  write_model(
+      "elsewhere/shop/models/shelf",
+      "<link name=\"l\"><visual name=\"v\"><geometry><mesh><uri>file://models/shelf/meshes/wall.stl</uri></mesh>"
+      "</geometry></visual></link>");
+  write("elsewhere/shop/models/shelf/meshes/wall.stl", kStl);
+  for (const char* folder : {"elsewhere/shop/models", "elsewhere/shop"}) {
+    SCOPED_TRACE(folder);
+    const bool of_models = std::string(folder).ends_with("models");
+    const std::string uri = of_models ? "model://shelf" : "model://models/shelf";
+    write_world("<include><uri>" + uri + "</uri><pose>2 0 0 0 0 0</pose></include>");
+    load({(folder_ / folder).string()});
+    EXPECT_TRUE(warnings_.empty());
+    EXPECT_NEAR(range(kOrigin, kX), 3, kExact);
+  }
+}
+
 TEST_F(Meshes, ColladaCountsInItsUnitAndIgnoresItsUpAxis) {
   write("wall.dae", collada());
   write_world(model("m", "0 0 0 0 0 0", mesh("wall.dae")));

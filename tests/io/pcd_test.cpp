@@ -172,7 +172,7 @@ TEST(Pcd, ErrorsNameFileFieldAndBound) {
   expect_error([] { parsed(header("1", "zip")); }, {"DATA is 'zip'"});
   expect_error([] { parsed("FIELDS x\nSIZE 4 4\nTYPE F\nPOINTS 1\nDATA ascii\n"); }, {"has 1 FIELDS but 2 SIZE"});
   expect_error([] { parsed("FIELDS x\nSIZE 3\nTYPE F\nPOINTS 1\nDATA ascii\n"); }, {"field x", "TYPE F with SIZE 3"});
-  expect_error([] { parsed("FIELDS x\nSIZE 4\nTYPE F\nCOUNT 0\nPOINTS 1\nDATA ascii\n"); }, {"field x has COUNT 0"});
+  expect_error([] { parsed("FIELDS x\nSIZE 4\nTYPE F\nCOUNT 0\nPOINTS 1\nDATA ascii\n"); }, {"COUNT 0 of every field"});
   expect_error([] { parsed("FIELDS x\nSIZE 4\nTYPE F\nWIDTH 2\nHEIGHT 3\nPOINTS 5\nDATA ascii\n"); },
                {"POINTS 5", "HEIGHT 3"});
   expect_error([] { read_pcd("/nowhere/a.pcd"); }, {"/nowhere/a.pcd", "No such file"});
@@ -207,6 +207,41 @@ TEST(OutputFile, IsWrittenCompletelyOrNotAtAll) {
   EXPECT_FALSE(std::filesystem::exists(folder / "a.partial"));
   write_text(folder / "a", "new");
   EXPECT_EQ(as_text(read_file(folder / "a")), "new");
+}
+
+/// A column of COUNT 0 between y and z, with or without a value in the data.
+std::string with_empty_column(const std::string& encoding) {
+  return "VERSION 0.7\nFIELDS x y e z\nSIZE 4 4 2 4\nTYPE F F U F\nCOUNT 1 1 0 1\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA " +
+         encoding + "\n";
+}
+
+TEST(Pcd, ColumnsOfCountZeroAreEmptyOrSingleAsTheDataHasThem) {
+  for (const bool single : {false, true}) {
+    std::string binary = with_empty_column("binary");
+    for (const float first : {1.0F, 4.0F}) {
+      put(binary, first), put(binary, first + 1);
+      if (single) put(binary, std::uint16_t{7});
+      put(binary, first + 2);
+    }
+    const std::string e = single ? "7 " : "";
+    for (const std::string& text : {binary, with_empty_column("ascii") + "1 2 " + e + "3\n4 5 " + e + "6\n"}) {
+      const PointRecords records = parsed(text);
+      EXPECT_EQ(values(records, "x"), (std::vector<double>{1, 4}));
+      EXPECT_EQ(values(records, "z"), (std::vector<double>{3, 6}));
+      if (single)
+        EXPECT_EQ(values(records, "e"), (std::vector<double>{7, 7}));
+      else
+        EXPECT_EQ(records.find("e"), nullptr);
+    }
+  }
+}
+
+TEST(Pcd, HeadersInLowerCaseAreRead) {
+  const PointRecords records = parsed(
+      "version 0.7\nfields x y z ring\nsize 4 4 4 1\ntype f f f u\ncount 1 1 1 1\nwidth 1\nheight 1\npoints 1\n"
+      "data ASCII\n1 2 3 4\n");
+  EXPECT_EQ(values(records, "y"), (std::vector<double>{2}));
+  EXPECT_EQ(values(records, "ring"), (std::vector<double>{4}));
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ TEST(Ply, ErrorsNameFileLineAndBound) {
   expect_error([&] { parsed(head + "vertices 1\n"); }, {"line 3", "'vertices'"});
   expect_error([] { parsed("ply\nformat binary 1.0\n"); }, {"line 2", "'binary'"});
   expect_error([&] { parsed(head + "element vertex 1\nproperty list uchar int a\nend_header\n1 1\n"); },
-               {"property a of vertex is a list"});
+               {"without properties that are numbers"});
   const std::string one = head + "element vertex 1\nproperty uchar r\nend_header\n";
   expect_error([&] { parsed(one + "300\n"); }, {"a.ply, line 6", "property r is '300'"});
   expect_error([&] { parsed(one + "3 4\n"); }, {"line 6", "has 2 of 1 values"});
@@ -145,6 +145,38 @@ TEST(Ply, WideIntegersCannotBeWritten) {
   const TemporaryFolder folder;
   const PointRecords records{{{"t", FieldType::u64, 0}}, 8, 1, std::endian::little, std::vector<std::byte>(8)};
   expect_error([&] { write_ply(folder / "a.ply", records); }, {"field t", "64-bit"});
+}
+
+const std::string kListed =
+    " 1.0\nelement vertex 3\nproperty list uchar short seen_by\nproperty float x\nproperty list int float weights\n"
+    "property float y\nproperty double z\nend_header\n";
+
+TEST(Ply, ListsOnVerticesArePassedOver) {
+  const std::vector<int> lists{0, 2, 5};
+  std::string ascii = "ply\nformat ascii" + kListed;
+  std::vector<std::string> binary{"ply\nformat binary_little_endian" + kListed,
+                                  "ply\nformat binary_big_endian" + kListed};
+  for (int i = 0; i < 3; ++i) {
+    ascii += std::to_string(lists[std::size_t(i)]);
+    for (int n = 0; n < lists[std::size_t(i)]; ++n) ascii += " 9";
+    ascii += " " + std::to_string(i) + " 1 0.5 " + std::to_string(i + 10) + " " + std::to_string(i + 20) + "\n";
+    for (const bool big : {false, true}) {
+      std::string& text = binary[big ? 1 : 0];
+      put(text, std::uint8_t(lists[std::size_t(i)]), big);
+      for (int n = 0; n < lists[std::size_t(i)]; ++n) put(text, std::int16_t{9}, big);
+      put(text, float(i), big), put(text, std::int32_t{1}, big), put(text, 0.5F, big);
+      put(text, float(i + 10), big), put(text, double(i + 20), big);
+    }
+  }
+  for (const std::string& text : {ascii, binary[0], binary[1]}) {
+    const PointRecords records = parsed(text);
+    EXPECT_EQ(records.fields.size(), 3u);
+    EXPECT_EQ(values(records, "x"), (std::vector<double>{0, 1, 2}));
+    EXPECT_EQ(values(records, "y"), (std::vector<double>{10, 11, 12}));
+    EXPECT_EQ(values(records, "z"), (std::vector<double>{20, 21, 22}));
+  }
+  expect_error([&] { parsed(binary[0].substr(0, binary[0].size() - 1)); }, {"has 2 of 3 points (truncated)"});
+  expect_error([&] { parsed("ply\nformat ascii" + kListed + "4 9 9 1 1\n"); }, {"a.ply, line 9", "has 5 of 5 values"});
 }
 
 }  // namespace

@@ -17,9 +17,11 @@ void put(std::vector<std::byte>& bytes, std::uint32_t value) {
   for (int i = 0; i < 4; ++i) bytes.push_back(std::byte(value >> 8 * i & 0xFF));
 }
 
-/// Header (seq, stamp, empty frame) and packets with their stamps.
-std::vector<std::byte> scan_message(const std::vector<EncodedPacket>& packets) {
-  std::vector<std::byte> bytes(16);
+/// Header (seq, stamp, frame) and packets with their stamps.
+std::vector<std::byte> scan_message(const std::vector<EncodedPacket>& packets, const std::string& frame = "") {
+  std::vector<std::byte> bytes(12);
+  put(bytes, std::uint32_t(frame.size()));
+  for (const char c : frame) bytes.push_back(std::byte(c));
   put(bytes, std::uint32_t(packets.size()));
   for (const EncodedPacket& packet : packets) {
     put(bytes, std::uint32_t(packet.sent));
@@ -56,6 +58,31 @@ TEST(PacketBag, GivesTheScansOfItsPackets) {
   EXPECT_EQ(scans, made.size());
   EXPECT_FALSE(expected->next());
   EXPECT_THROW(open_source((folder / "a.bag").string(), {.topic = "/points"}), Error);
+}
+
+TEST(PacketBag, OfTwoSensorsOneIsReadAndTold) {
+  const TemporaryFolder folder;
+  const Simulator front("corridor", simulation_options("corridor", {{"duration", "0.8"}}));
+  const Simulator rear("plaza", simulation_options("plaza", {{"duration", "0.8"}}));
+  const PacketFormat format = packet_format_of(front.lidar());
+  Rosbag1Writer bag(folder / "a.bag");
+  const std::uint32_t id = bag.add_connection({0, "/packets", "velodyne_msgs/VelodyneScan", "0", "x", 0});
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    for (const Simulator* sensor : {&front, &rear}) {
+      const std::vector<EncodedPacket> packets = encode_scan(sensor->scan(i).scan, front.lidar(), format);
+      bag.write(id, std::uint64_t(packets.back().sent * 1e9),
+                scan_message(packets, sensor == &front ? "front" : "rear"));
+    }
+  }
+  bag.close();
+  const auto source = open_source((folder / "a.bag").string(), {});
+  std::size_t scans = 0;
+  for (; const auto scan = source->next(); ++scans)
+    EXPECT_NEAR(double(scan->cloud.size()), double(front.scan(scans).scan.cloud.size()), 100.0);
+  EXPECT_EQ(scans, front.size());
+  const std::vector<std::string> notices = source->notices();
+  EXPECT_NE(notices.back().find("those of other sensors on the same topic: 'rear'"), std::string::npos)
+      << notices.back();
 }
 
 }  // namespace

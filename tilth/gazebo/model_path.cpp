@@ -10,7 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kVariables[]{"GAZEBO_MODEL_PATH", "GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH"};
+constexpr const char* kVariables[]{"GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH", "GZ_SIM_RESOURCE_PATH",
+                                   "IGN_GAZEBO_RESOURCE_PATH"};
 
 bool is_there(const fs::path& path) {
   std::error_code error;
@@ -37,6 +38,20 @@ struct Name {
   fs::path path;
   bool by_folder = false;  // model://, package://: never beside the file
 };
+
+/// models/NAME/REST as file:// has it is NAME/REST in a folder of models.
+fs::path without_models(const fs::path& path) {
+  return path.begin() != path.end() && *path.begin() == "models" ? path.lexically_relative("models") : path;
+}
+
+/// `path` in `folder` or in one above it.
+std::optional<fs::path> find_above(const fs::path& folder, const fs::path& path) {
+  for (fs::path above = fs::absolute(folder).lexically_normal(); above != above.parent_path();
+       above = above.parent_path()) {
+    if (is_there(above / path)) return above / path;
+  }
+  return std::nullopt;
+}
 
 std::optional<Name> name_of(std::string_view uri) {
   const std::size_t colon = uri.find("://");
@@ -72,9 +87,11 @@ std::optional<fs::path> ModelPath::find(const std::string& uri, const fs::path& 
     if (name->path.is_absolute()) return std::nullopt;
   }
   for (const fs::path& folder : folders_) {
-    if (is_there(folder / name->path)) return folder / name->path;
+    for (const fs::path& path : {name->path, without_models(name->path)}) {
+      if (is_there(folder / path)) return folder / path;
+    }
   }
-  return std::nullopt;
+  return name->by_folder ? std::nullopt : find_above(beside, name->path);
 }
 
 std::string ModelPath::listing() const {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <tilth/core/error.hpp>
+#include <tilth/io/bin_columns.hpp>
 #include <tilth/io/input_file.hpp>
 #include <tilth/io/kitti_bin.hpp>
 #include <tilth/io/output_file.hpp>
@@ -17,17 +18,20 @@ constexpr std::size_t kStride = kNames.size() * sizeof(float);
 
 PointRecords parse_kitti_bin(std::vector<std::byte> bytes, const std::string& name) {
   if (bytes.empty()) throw Error(name, "is empty (0 bytes)");
-  if (bytes.size() % kStride != 0) {
+  const std::optional<std::vector<std::string>> columns = bin_columns(bytes);
+  if (!columns) {
+    const bool whole = bytes.size() % kStride == 0;
     throw Error(name,
-                "has " + std::to_string(bytes.size()) +
-                    " bytes, which is no multiple of the 16 bytes of a point (truncated, or not x y z intensity)");
+                "has " + std::to_string(bytes.size()) + " bytes, " +
+                    (whole ? "but they are not x y z intensity: " : "which is no multiple of the 16 of a point: ") +
+                    "truncated, or of other columns than three to eight float32 that begin with x y z");
   }
   PointRecords records;
-  for (std::size_t i = 0; i < kNames.size(); ++i) {
-    records.fields.push_back({kNames[i], FieldType::f32, i * sizeof(float)});
+  for (const std::string& column : *columns) {
+    records.fields.push_back({column, FieldType::f32, records.stride});
+    records.stride += sizeof(float);
   }
-  records.stride = kStride;
-  records.count = bytes.size() / kStride;
+  records.count = bytes.size() / records.stride;
   records.bytes = std::move(bytes);
   return records;
 }

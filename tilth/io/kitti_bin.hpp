@@ -1,4 +1,5 @@
-// KITTI velodyne scans: records of four little-endian float32 x y z [m] intensity, without a header. O(n).
+// Scans without a header: records of little-endian float32, x y z [m] intensity as KITTI has them, and the columns that
+// others add (nuScenes: ring). O(n).
 #pragma once
 
 #include <filesystem>
@@ -7,7 +8,7 @@
 
 namespace tilth {
 
-/// Fields x y z intensity. Throws Error where the file cannot be read or does not hold whole records of 16 bytes.
+/// Fields as bin_columns tells them. Throws Error where the file cannot be read or no number of columns makes sense.
 PointRecords read_kitti_bin(const std::filesystem::path& path);
 PointRecords parse_kitti_bin(std::vector<std::byte> bytes, const std::string& name);
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstring>
 
 #include <tilth/core/error.hpp>
@@ -12,14 +13,43 @@
 namespace tilth {
 namespace {
 
-PointRecords empty_records(const PcdHeader& header) {
+PointRecords empty_records(const PcdHeader& header, const std::string& name) {
   PointRecords records;
   for (const PcdColumn& column : header.columns) {
-    if (!column.is_padding()) records.fields.push_back({column.name, column.type, records.stride});
+    if (column.is_read()) records.fields.push_back({column.name, column.type, records.stride});
     records.stride += column.bytes();
   }
+  if (records.stride == 0) throw Error(name, "has COUNT 0 of every field: points of no bytes");
   records.count = header.points;
   return records;
+}
+
+/// Whether `data` holds points of these columns, each with all its elements.
+bool holds(std::span<const std::byte> data, const PcdHeader& header) {
+  std::size_t stride = 0, named = 0, elements = 0;
+  for (const PcdColumn& column : header.columns) {
+    stride += column.bytes();
+    named += column.is_padding() ? 0 : column.bytes();
+    elements += column.elements;
+  }
+  if (header.encoding == PcdEncoding::binary) return data.size() / stride >= header.points;
+  if (header.encoding == PcdEncoding::binary_compressed) {
+    std::uint32_t sizes[2]{};
+    if (data.size() < sizeof(sizes)) return false;
+    std::memcpy(sizes, data.data(), sizeof(sizes));
+    return sizes[1] == header.points * stride || sizes[1] == header.points * named;
+  }
+  TextLines lines(as_text(data));
+  std::vector<std::string_view> first;
+  for (auto line = lines.next(); line && first.empty(); line = lines.next()) first = words(*line);
+  return first.size() == elements;
+}
+
+/// Columns of COUNT 0 taken for single values where the data has room for them.
+PcdHeader with_counts(const PcdHeader& header, std::span<const std::byte> data) {
+  PcdHeader single = header;
+  for (PcdColumn& column : single.columns) column.elements = std::max<std::size_t>(column.elements, 1);
+  return holds(data, single) ? single : header;
 }
 
 [[noreturn]] void truncated(const std::string& name, std::size_t got, std::size_t stated) {
@@ -30,7 +60,7 @@ void store_line(const std::vector<std::string_view>& values, const PcdHeader& he
                 const std::string& where) {
   std::size_t value = 0;
   for (const PcdColumn& column : header.columns) {
-    if (!column.is_padding() && !store_number(values[value], column.type, record)) {
+    if (column.is_read() && !store_number(values[value], column.type, record)) {
       throw Error(where, "field " + column.name + " is '" + std::string(values[value].substr(0, 40)) + "'");
     }
     value += column.elements;
@@ -122,9 +152,10 @@ std::string header_text(const PointRecords& records) {
 }  // namespace
 
 PointRecords parse_pcd(std::span<const std::byte> bytes, const std::string& name) {
-  const PcdHeader header = parse_pcd_header(as_text(bytes), name);
-  const std::span<const std::byte> data = bytes.subspan(header.data_position);
-  PointRecords records = empty_records(header);
+  const PcdHeader stated = parse_pcd_header(as_text(bytes), name);
+  const std::span<const std::byte> data = bytes.subspan(stated.data_position);
+  const PcdHeader header = with_counts(stated, data);
+  PointRecords records = empty_records(header, name);
   if (header.encoding == PcdEncoding::ascii)
     read_ascii(as_text(data), header, name, records);
   else if (header.encoding == PcdEncoding::binary)

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <limits>
 #include <map>
 #include <optional>
@@ -12,7 +14,7 @@ namespace {
 constexpr std::size_t kMaxRecord = 1 << 20;  // [bytes]
 
 using Words = std::vector<std::string_view>;
-using Entries = std::map<std::string_view, Words>;
+using Entries = std::map<std::string, Words, std::less<>>;
 
 struct Header {
   const std::string& name;
@@ -39,12 +41,18 @@ struct Header {
   }
 };
 
+std::string upper(std::string_view word) {
+  std::string text(word);
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::toupper(c)); });
+  return text;
+}
+
 std::optional<FieldType> type_of(std::string_view kind, std::size_t size) {
-  static const std::map<std::pair<std::string_view, std::size_t>, FieldType> types{
+  static const std::map<std::pair<std::string, std::size_t>, FieldType> types{
       {{"I", 1}, FieldType::i8},  {{"U", 1}, FieldType::u8},  {{"I", 2}, FieldType::i16}, {{"U", 2}, FieldType::u16},
       {{"I", 4}, FieldType::i32}, {{"U", 4}, FieldType::u32}, {{"I", 8}, FieldType::i64}, {{"U", 8}, FieldType::u64},
       {{"F", 4}, FieldType::f32}, {{"F", 8}, FieldType::f64}};
-  const auto it = types.find({kind, size});
+  const auto it = types.find({upper(kind), size});
   return it == types.end() ? std::nullopt : std::optional(it->second);
 }
 
@@ -65,7 +73,7 @@ std::vector<PcdColumn> columns_of(const Header& header) {
     if (!type)
       throw Error(header.name, field + " has TYPE " + std::string(types[i]) + " with SIZE " + std::string(sizes[i]));
     const std::size_t elements = header.count("COUNT", counts[i]);
-    if (elements < 1 || elements > kMaxRecord) throw Error(header.name, field + " has COUNT " + std::string(counts[i]));
+    if (elements > kMaxRecord) throw Error(header.name, field + " has COUNT " + std::string(counts[i]));
     columns.push_back({std::string(names[i]), *type, elements});
     record += columns.back().bytes();
     if (record > kMaxRecord)
@@ -91,9 +99,10 @@ std::size_t points_of(const Header& header) {
 
 PcdEncoding encoding_of(const Header& header) {
   const std::string_view text = header.of("DATA")[0];
-  if (text == "ascii") return PcdEncoding::ascii;
-  if (text == "binary") return PcdEncoding::binary;
-  if (text == "binary_compressed") return PcdEncoding::binary_compressed;
+  const std::string name = upper(text);
+  if (name == "ASCII") return PcdEncoding::ascii;
+  if (name == "BINARY") return PcdEncoding::binary;
+  if (name == "BINARY_COMPRESSED") return PcdEncoding::binary_compressed;
   throw Error(header.name,
               "DATA is '" + std::string(text.substr(0, 40)) + "', expected ascii | binary | binary_compressed");
 }
@@ -109,9 +118,9 @@ PcdHeader parse_pcd_header(std::string_view text, const std::string& name) {
     if (!line) throw Error(name, "is no PCD file, or is truncated: its header has no DATA");
     Words found = words(*line);
     if (found.empty() || found[0][0] == '#') continue;
-    const std::string_view key = found[0] == "COLUMNS" ? "FIELDS" : found[0];
+    const std::string key = upper(found[0]);
     found.erase(found.begin());
-    header.entries[key] = std::move(found);
+    header.entries[key == "COLUMNS" ? "FIELDS" : key] = std::move(found);
   }
   PcdHeader result{columns_of(header), points_of(header), encoding_of(header), lines.position(), lines.number()};
   return result;

@@ -12,13 +12,15 @@ namespace tilth {
 
 enum class PcdEncoding { ascii, binary, binary_compressed };
 
-/// A column of the file. Of COUNT > 1 elements the first is read; "_" is padding.
+/// A column of the file. Of COUNT > 1 elements the first is read; "_" is padding. COUNT 0 is what it says, or what old
+/// converters wrote of single values: the data tells.
 struct PcdColumn {
   std::string name;
   FieldType type = FieldType::f32;
   std::size_t elements = 1;
 
   bool is_padding() const { return name == "_"; }
+  bool is_read() const { return !is_padding() && elements > 0; }
   std::size_t bytes() const { return elements * size_of(type); }
 };
 

@@ -21,11 +21,11 @@ namespace {
 PointRecords empty_records(const PlyElement& vertex, PlyFormat format, const std::string& name) {
   PointRecords records;
   for (const PlyProperty& property : vertex.properties) {
-    if (property.list_size) throw Error(name, "property " + property.name + " of vertex is a list, expected a number");
+    if (property.list_size) continue;  // passed over: no point has a place for one
     records.fields.push_back({property.name, property.type, records.stride});
     records.stride += size_of(property.type);
   }
-  if (records.stride == 0) throw Error(name, "has a vertex element without properties");
+  if (records.stride == 0) throw Error(name, "has a vertex element without properties that are numbers");
   records.count = vertex.count;
   records.byte_order = format == PlyFormat::binary_big_endian ? std::endian::big : std::endian::little;
   return records;
@@ -42,18 +42,19 @@ class AsciiBody {
 
   void read(const PlyElement& vertex, PointRecords& records) {
     for (std::size_t i = 0; i < vertex.count; ++i) {
-      const std::vector<std::string_view> values = next(vertex, i);
+      const std::vector<std::string_view> all = next(vertex, i);
       const std::string where = name_ + ", line " + std::to_string(header_lines_ + lines_.number());
-      if (values.size() != vertex.properties.size()) {
+      const auto values = scalar_words(all, vertex);
+      if (!values) {
         throw Error(
-            where, "has " + std::to_string(values.size()) + " of " + std::to_string(records.fields.size()) + " values");
+            where, "has " + std::to_string(all.size()) + " of " + std::to_string(vertex.properties.size()) + " values");
       }
       records.bytes.resize((i + 1) * records.stride);
-      for (std::size_t f = 0; f < values.size(); ++f) {
+      for (std::size_t f = 0; f < values->size(); ++f) {
         const PointField& field = records.fields[f];
         std::byte* target = records.bytes.data() + i * records.stride + field.offset;
-        if (store_number(values[f], field.type, target)) continue;
-        throw Error(where, "property " + field.name + " is '" + std::string(values[f].substr(0, 40)) + "'");
+        if (store_number((*values)[f], field.type, target)) continue;
+        throw Error(where, "property " + field.name + " is '" + std::string((*values)[f].substr(0, 40)) + "'");
       }
     }
   }
@@ -83,13 +84,22 @@ class BinaryBody {
       return;
     }
     for (std::size_t i = 0; i < element.count; ++i) {
-      for (const PlyProperty& property : element.properties) skip(property, element, i);
+      for (const PlyProperty& property : element.properties) take(property, element, i);
     }
   }
 
   void read(const PlyElement& vertex, PointRecords& records) {
-    const std::span<const std::byte> points = take(vertex, records.stride);
-    records.bytes.assign(points.begin(), points.end());
+    if (!vertex.has_lists()) {
+      const std::span<const std::byte> points = take(vertex, records.stride);
+      records.bytes.assign(points.begin(), points.end());
+      return;
+    }
+    for (std::size_t i = 0; i < vertex.count; ++i) {
+      for (const PlyProperty& property : vertex.properties) {
+        const std::span<const std::byte> value = take(property, vertex, i);
+        if (!property.list_size) records.bytes.insert(records.bytes.end(), value.begin(), value.end());
+      }
+    }
   }
 
  private:
@@ -105,11 +115,12 @@ class BinaryBody {
     return taken;
   }
 
-  void skip(const PlyProperty& property, const PlyElement& element, std::size_t number) {
+  /// The value, or the values of a list.
+  std::span<const std::byte> take(const PlyProperty& property, const PlyElement& element, std::size_t number) {
     const std::size_t size = size_of(property.list_size.value_or(property.type));
     if (size > data_.size()) truncated(name_, element, number);
     const std::span<const std::byte> first = advance(size);
-    if (!property.list_size) return;
+    if (!property.list_size) return first;
     const PointRecords count{{{property.name, *property.list_size, 0}},
                              size,
                              1,
@@ -118,7 +129,7 @@ class BinaryBody {
     const double values = column(count, count.fields[0])[0];
     if (values < 0) throw Error(name_, "list " + property.name + " of " + element.name + " has a negative size");
     if (values > double(data_.size() / size_of(property.type))) truncated(name_, element, number);
-    advance(std::size_t(values) * size_of(property.type));
+    return advance(std::size_t(values) * size_of(property.type));
   }
 
   std::span<const std::byte> data_;

@@ -82,6 +82,23 @@ std::size_t PlyElement::stride() const {
   return bytes;
 }
 
+std::optional<Words> scalar_words(const Words& all, const PlyElement& element) {
+  Words scalars;
+  std::size_t at = 0;
+  for (const PlyProperty& property : element.properties) {
+    if (at >= all.size()) return std::nullopt;
+    const std::string_view word = all[at++];
+    if (!property.list_size) {
+      scalars.push_back(word);
+      continue;
+    }
+    const std::optional<std::uint64_t> size = to_count(word);
+    if (!size || *size > all.size() - at) return std::nullopt;
+    at += std::size_t(*size);
+  }
+  return at == all.size() ? std::optional(scalars) : std::nullopt;
+}
+
 PlyHeader parse_ply_header(std::string_view text, const std::string& name) {
   if (text.empty()) throw Error(name, "is empty (0 bytes)");
   TextLines lines(text);

@@ -35,6 +35,11 @@ struct PlyHeader {
   std::size_t lines = 0;          ///< of the header
 };
 
+/// Of the words of one element, those of the properties that are no lists; nothing where there are more or fewer words
+/// than the properties ask for.
+std::optional<std::vector<std::string_view>> scalar_words(const std::vector<std::string_view>& all,
+                                                          const PlyElement& element);
+
 /// Throws Error naming the file and the line of the header that is wrong.
 PlyHeader parse_ply_header(std::string_view text, const std::string& name);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <tilth/core/error.hpp>
+#include <tilth/io/file_kind.hpp>
 #include <tilth/io/rosbag2.hpp>
 #include <tilth/io/rosbag2_metadata.hpp>
 #include <tilth/io/unpack.hpp>
@@ -158,12 +159,12 @@ std::optional<Message> Rosbag2Reader::read(const Entry& entry) {
 }
 
 bool is_rosbag2(const std::filesystem::path& path) {
-  if (!std::filesystem::is_directory(path)) return unpacked_name(path).extension() == ".db3";
+  if (!std::filesystem::is_directory(path)) return kind_of_file(path) == ".db3";
   if (std::filesystem::exists(path / "metadata.yaml")) return true;
   const std::filesystem::directory_iterator files(path), end;
   return std::any_of(files, end, [](const auto& entry) {
-    const std::filesystem::path kind = unpacked_name(entry.path()).extension();
-    return kind == ".db3" || kind == ".mcap";
+    const std::string kind = kind_of_file(entry.path());
+    return !is_hidden(entry.path()) && (kind == ".db3" || kind == ".mcap");
   });
 }
 

@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <tilth/core/error.hpp>
+#include <tilth/io/file_kind.hpp>
 #include <tilth/io/input_file.hpp>
 #include <tilth/io/rosbag2_metadata.hpp>
 #include <tilth/io/unpacked_file.hpp>
@@ -24,8 +25,8 @@ fs::path as_it_stands(const fs::path& listed) {
 }
 
 bool is_bag_file(const fs::path& path) {
-  const fs::path kind = unpacked_name(path).extension();
-  return kind == ".db3" || kind == ".mcap";
+  const std::string kind = kind_of_file(path);
+  return !is_hidden(path) && (kind == ".db3" || kind == ".mcap");
 }
 
 std::vector<fs::path> listed_files(const fs::path& metadata) {
@@ -46,8 +47,9 @@ std::vector<std::string> parse_rosbag2_metadata(const std::string& text, const s
     const YAML::Node root = YAML::Load(text);
     if (!root.IsMap()) throw Error(name, "is no map of entries");
     const YAML::Node bag = root["rosbag2_bagfile_information"];
-    const auto storage = bag["storage_identifier"].as<std::string>("sqlite3");
-    if (storage != "sqlite3" && storage != "mcap")
+    const YAML::Node identifier = bag["storage_identifier"];  // some recorders leave it empty: names of files tell it
+    const auto storage = !identifier || identifier.IsNull() ? std::string() : identifier.as<std::string>();
+    if (!storage.empty() && storage != "sqlite3" && storage != "mcap")
       throw Error(name, "the bag is stored by " + storage + ", read are sqlite3 and mcap");
     for (const YAML::Node& file : bag["relative_file_paths"])
       files.push_back(fs::path(file.as<std::string>()).filename().string());
@@ -59,9 +61,8 @@ std::vector<std::string> parse_rosbag2_metadata(const std::string& text, const s
 
 std::vector<fs::path> rosbag2_files(const fs::path& folder) {
   std::vector<fs::path> files;
-  if (fs::exists(folder / "metadata.yaml")) {
-    files = listed_files(folder / "metadata.yaml");
-  } else {
+  if (fs::exists(folder / "metadata.yaml")) files = listed_files(folder / "metadata.yaml");
+  if (files.empty()) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
       if (is_bag_file(entry.path())) files.push_back(entry.path());
     }

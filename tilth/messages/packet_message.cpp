@@ -52,6 +52,12 @@ bool is_packet_message(std::string_view type) {
   return among(kScans, type) || among(kSingles, type);
 }
 
+std::string packet_message_frame(std::string_view type, std::span<const std::byte> message,
+                                 Serialization serialization) {
+  if (!among(kScans, type)) return "";
+  return RosMessageReader(message, serialization, std::string(type)).header().frame_id;
+}
+
 std::vector<StampedPayload> parse_packet_message(std::string_view type, std::span<const std::byte> message,
                                                  Serialization serialization) {
   RosMessageReader reader(message, serialization, std::string(type));

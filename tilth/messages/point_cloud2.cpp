@@ -1,6 +1,6 @@
+#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 #include <tilth/core/error.hpp>
@@ -15,7 +15,12 @@ constexpr std::array kTypes{FieldType::i8,  FieldType::u8,  FieldType::i16, Fiel
                             FieldType::i32, FieldType::u32, FieldType::f32, FieldType::f64};
 constexpr std::size_t kMostFields = 1000;
 
-std::optional<PointField> read_field(RosMessageReader& reader) {
+struct StatedField {
+  PointField field;
+  std::uint32_t count = 1;
+};
+
+StatedField read_field(RosMessageReader& reader) {
   PointField field;
   field.name = reader.text("fields.name");
   field.offset = reader.number<std::uint32_t>("fields.offset");
@@ -25,16 +30,27 @@ std::optional<PointField> read_field(RosMessageReader& reader) {
     throw Error("PointCloud2 field " + field.name, "datatype " + std::to_string(type) + " is none of 1 to 8");
   }
   field.type = kTypes[type - 1];
-  if (count == 0) return std::nullopt;
-  return field;
+  return {field, count};
 }
 
-std::vector<PointField> read_fields(RosMessageReader& reader) {
+std::vector<StatedField> read_fields(RosMessageReader& reader) {
   const std::uint32_t count = reader.number<std::uint32_t>("fields");
   if (count > kMostFields) throw Error("PointCloud2 fields", std::to_string(count) + " of them are more than 1000");
+  std::vector<StatedField> fields;
+  for (std::uint32_t i = 0; i < count; ++i) fields.push_back(read_field(reader));
+  return fields;
+}
+
+/// Those that have a value in records of `stride` bytes. A count of 0 is of no values, or what drivers leave where they
+/// set none: a field then has its value if no other begins there and it ends within the record.
+std::vector<PointField> with_values(const std::vector<StatedField>& stated, std::size_t stride) {
   std::vector<PointField> fields;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (const std::optional<PointField> field = read_field(reader)) fields.push_back(*field);
+  for (const StatedField& s : stated) {
+    const auto shares_place = [&](const StatedField& other) {
+      return other.count > 0 && other.field.offset == s.field.offset;
+    };
+    const bool fits = s.field.offset + size_of(s.field.type) <= stride;
+    if (s.count > 0 || (fits && std::none_of(stated.begin(), stated.end(), shares_place))) fields.push_back(s.field);
   }
   return fields;
 }
@@ -83,17 +99,19 @@ PointCloud2 parse_point_cloud2(std::span<const std::byte> message, Serialization
   const std::uint64_t height = reader.number<std::uint32_t>("height");
   const std::uint64_t width = reader.number<std::uint32_t>("width");
   PointRecords& records = cloud.records;
-  records.fields = read_fields(reader);
+  const std::vector<StatedField> fields = read_fields(reader);
   records.byte_order = reader.number<std::uint8_t>("is_bigendian") != 0 ? std::endian::big : std::endian::little;
   records.stride = reader.number<std::uint32_t>("point_step");
-  const std::uint64_t row_step = reader.number<std::uint32_t>("row_step");
+  records.fields = with_values(fields, records.stride);
+  std::uint64_t row_step = reader.number<std::uint32_t>("row_step");
+  if (row_step == 0) row_step = width * records.stride;  // left unset: rows without padding
   const std::span<const std::byte> data = reader.bytes(reader.number<std::uint32_t>("data"), "data");
 
   check_layout(records, width, height > 1 ? row_step : width * records.stride);
   if (height * width == 0) return cloud;
   if (records.stride == 0) throw Error("PointCloud2 point_step", "0 bytes hold no point");
   const std::uint64_t row_bytes = width * records.stride;
-  const std::uint64_t needed = (height - 1) * row_step + row_bytes;
+  const std::uint64_t needed = row_bytes > data.size() ? row_bytes : (height - 1) * row_step + row_bytes;
   if (needed > data.size()) {
     throw Error("PointCloud2 data", std::to_string(data.size()) + " bytes hold no " + std::to_string(height) + " x " +
                                         std::to_string(width) + " points, which need " + std::to_string(needed));

@@ -24,7 +24,7 @@ inline constexpr std::string_view kPointCloud2Md5 = "1158d486dd51d683ce2f1be655c
 extern const std::string_view kPointCloud2Definition;  ///< text of the message and of those it holds
 
 /// Throws Error naming the field of the message that contradicts the bytes there are. Of fields with count > 1 the
-/// first element.
+/// first element; a row_step of 0 stands for rows without padding.
 PointCloud2 parse_point_cloud2(std::span<const std::byte> message, Serialization serialization = Serialization::ros1);
 
 /// One row of records. Throws Error where a field has a type that the message knows none for (64 bit integers), where

@@ -9,6 +9,7 @@ namespace tilth {
 namespace {
 
 constexpr std::size_t kMostWarnings = 10;
+constexpr std::size_t kSurveyed = 16;  ///< of so many points one is counted, for what `tilth info` warns of
 
 ScanRow row_of(const Scan& scan, const OdometryResult& result) {
   ScanRow row;
@@ -42,7 +43,7 @@ std::string to_text(RunEnd end) {
 }
 
 Session::Session(std::unique_ptr<ScanSource> source, Pipeline pipeline, RunRecord record)
-    : source_(std::move(source)), pipeline_(std::move(pipeline)), record_(std::move(record)) {
+    : source_(std::move(source)), pipeline_(std::move(pipeline)), record_(std::move(record)), survey_(kSurveyed) {
   pipeline_.odometry->listen([this](std::string_view stage) { clock_.begin(stage); });
 }
 
@@ -50,8 +51,7 @@ RunEnd Session::run(const SessionOptions& options) {
   const Stopwatch stopwatch;
   record_.ended = "it goes on";  // as what is saved meanwhile says
   const RunEnd end = register_scans(options);
-  record_.notices = source_->notices();
-  for (const std::string& notice : record_.notices) observer_->note(notice);
+  take_notices();
   if (pipeline_.slam != nullptr) close_loops(*pipeline_.slam, record_);
   record_.ended = to_text(end);
   record_.wall_seconds = stopwatch.seconds();
@@ -79,6 +79,7 @@ RunEnd Session::register_scans(const SessionOptions& options) {
     if (options.strict && !record_.skipped.empty()) return RunEnd::bad_record;
     if (!scan) return broken_ ? RunEnd::input_broken : RunEnd::end_of_input;
     if (read_++ == 0) take_decisions();
+    survey_.add(*scan);
     const std::optional<OdometryResult> result = register_scan(*scan, reading.milliseconds());
     if (!result && options.strict) return RunEnd::bad_record;
     if (result) {
@@ -92,6 +93,16 @@ RunEnd Session::register_scans(const SessionOptions& options) {
 void Session::take_decisions() {
   record_.decisions = source_->decisions();
   for (const std::string& decision : record_.decisions) observer_->note(decision);
+}
+
+/// What the source noticed, and what may go wrong with such a recording.
+void Session::take_notices() {
+  record_.notices = source_->notices();
+  for (const std::string& notice : record_.notices) observer_->note(notice);
+  for (std::string& warning : survey_warnings(survey_)) {
+    observer_->warn(warning);
+    record_.notices.push_back(std::move(warning));
+  }
 }
 
 std::optional<Scan> Session::read() {

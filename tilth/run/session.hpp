@@ -19,6 +19,7 @@
 #include <tilth/run/sink.hpp>
 #include <tilth/run/stage_clock.hpp>
 #include <tilth/sources/scan_source.hpp>
+#include <tilth/sources/scan_survey.hpp>
 
 namespace tilth {
 
@@ -58,6 +59,7 @@ class Session {
   std::optional<OdometryResult> register_scan(const Scan& scan, double read_ms);
   void keep(const Scan& scan, const OdometryResult& result, ScanRow row);
   void take_decisions();
+  void take_notices();
   void take_skipped();
   void skip(SkippedScan skipped);
 
@@ -68,6 +70,7 @@ class Session {
   RunObserver deaf_;
   RunObserver* observer_ = &deaf_;
   StageClock clock_;
+  ScanSurvey survey_;
   std::size_t taken_ = 0;  // of source_->skipped()
   std::size_t read_ = 0;   // scans handed over by the source
   bool broken_ = false;

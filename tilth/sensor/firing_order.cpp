@@ -11,7 +11,7 @@ namespace {
 using std::numbers::pi;
 constexpr double kDegree = pi / 180.0;
 constexpr double kNearAxis = 0.2;                   ///< [m] nearer to the axis than this an azimuth tells nothing
-constexpr double kLargestRotation = 1.5 * 2 * pi;   ///< [rad]
+constexpr double kLargestRotation = 6.5 * 2 * pi;   ///< [rad]
 constexpr double kSmallestRotation = 10 * kDegree;  ///< [rad]
 constexpr double kGap = 90 * kDegree;               ///< [rad] a larger step is a gap without returns, crossed forwards
 constexpr double kOrderTolerance = 1.5 * kDegree;

@@ -22,7 +22,7 @@ struct HeadRotation {
   double end() const { return begin + (clockwise ? -covered() : covered()); }
 };
 
-/// The sweep that wrote `points`, or nothing where they are not in firing order over at most about one turn.
+/// The rotation that wrote `points`, or nothing where they are not in firing order over at most six turns.
 /// `rings` has one entry a point, or none.
 std::optional<HeadRotation> find_head_rotation(std::span<const Eigen::Vector3d> points,
                                                std::span<const std::uint16_t> rings);

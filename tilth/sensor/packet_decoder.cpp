@@ -83,7 +83,8 @@ std::optional<Scan> PacketDecoder::decode(const Packet& packet) {
 std::optional<Scan> PacketDecoder::decode_data(const DataPacket& packet, double first_shot) {
   if (last_packet_) {
     const double packets = std::round((first_shot - *last_packet_) / format().packet_period(last_dual_));
-    if (packets > 1.0) counts_.lost += std::size_t(std::min(packets, 1e9)) - 1;
+    if (packets > 1.0) missing_.add(head_ ? head_->azimuth : 0.0, std::size_t(std::min(packets, 1e9)) - 1);
+    counts_.lost = missing_.lost(), counts_.unsent = missing_.unsent();
   }
   last_packet_ = first_shot;
   last_dual_ = packet.dual();

@@ -13,6 +13,7 @@
 #include <tilth/core/options.hpp>
 #include <tilth/core/scan.hpp>
 #include <tilth/sensor/device_packet.hpp>
+#include <tilth/sensor/missing_packets.hpp>
 #include <tilth/sensor/packet_clock.hpp>
 #include <tilth/sensor/recognise_packets.hpp>
 
@@ -38,6 +39,7 @@ struct PacketCounts {
   std::size_t data = 0, device = 0, position = 0;  ///< packets
   std::size_t other = 0;                           ///< packets of another kind, length or sensor
   std::size_t lost = 0;                            ///< packets missing between those that came, by their times
+  std::size_t unsent = 0;      ///< packets of the part of the turn that the sensor's view leaves out
   std::size_t late = 0;        ///< data packets left out: repeated, after a later one, or overlapping one
   std::size_t incomplete = 0;  ///< turns left out: less than half of one, or cut off by the end of the packets
   std::size_t clock_jumps = 0;
@@ -78,7 +80,8 @@ class PacketDecoder {
   std::optional<PositionInfo> position_;
   std::vector<double> cosines_, sines_;          // of the channels' elevations
   std::array<double, kMostSlots> slot_times_{};  // [s]
-  std::optional<double> last_packet_;            // [s] first shot
+  MissingPackets missing_;
+  std::optional<double> last_packet_;  // [s] first shot
   bool last_dual_ = false;
   double mean_step_ = 0.0;  // [0.01 deg] from column to column
   Scan open_;

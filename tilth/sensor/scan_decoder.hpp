@@ -10,6 +10,7 @@
 
 #include <tilth/core/options.hpp>
 #include <tilth/core/scan.hpp>
+#include <tilth/sensor/length_unit.hpp>
 #include <tilth/sensor/ring_convention.hpp>
 #include <tilth/sensor/time_convention.hpp>
 
@@ -27,6 +28,7 @@ std::span<const std::string_view> names_of(CloudTimes);
 
 struct CloudOptions {
   CloudTimes times = CloudTimes::automatic;
+  LengthUnit unit = LengthUnit::automatic;
 };
 
 template <class V>
@@ -34,6 +36,7 @@ void visit(CloudOptions& o, V&& v) {
   v("times", o.times,
     "[-] of the points of clouds; auto: their field, else the order of firing; none: a scan was taken at once, as in a "
     "simulator; derived: the order of firing, whatever a field says");
+  v("unit", o.unit, "[-] of the coordinates of clouds; auto: metres, or what their ranges tell");
 }
 
 /// What is known of a recording beside its records.
@@ -41,6 +44,7 @@ struct RecordingTraits {
   bool nominal_stamps = false;  ///< nobody recorded them
   bool deskewed = false;        ///< the points of a scan already share one instant
   CloudTimes times = CloudTimes::automatic;
+  LengthUnit unit = LengthUnit::automatic;
 };
 
 class ScanDecoder {
@@ -53,6 +57,7 @@ class ScanDecoder {
   Scan decode(const StampedRecords& scan) const;
 
   const std::vector<std::string>& decisions() const { return decisions_; }
+  bool reads_times() const { return times_.has_value(); }  ///< of a field
 
  private:
   void decide_times(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,

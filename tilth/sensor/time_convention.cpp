@@ -17,6 +17,7 @@ struct Unit {
 constexpr std::array<Unit, 4> kUnits{
     {{1.0, "seconds"}, {1e-3, "milliseconds"}, {1e-6, "microseconds"}, {1e-9, "nanoseconds"}}};
 constexpr double kShortestSpan = 0.008, kLongestSpan = 0.5;  ///< [s] of a scan; less than a factor 1000: one unit fits
+constexpr double kShortestPart = 0.2, kLongestPart = 1.5;    ///< of the step between messages that are parts of a turn
 constexpr double kFewestSteps = 64.0;                        ///< of float32 within a scan
 constexpr double kLargestOutlierRatio = 0.05;
 
@@ -33,6 +34,18 @@ const Unit* unit_of(double span) {
     return span * unit.scale >= kShortestSpan && span * unit.scale < kLongestSpan;
   });
   return it == kUnits.end() ? nullptr : &*it;
+}
+
+/// Of messages that are parts of a turn, and span about the step from one stamp to the next.
+const Unit* unit_of_part(double span, std::span<const CloudStamp> stamps) {
+  std::vector<double> steps;
+  for (std::size_t k = 1; k < stamps.size(); ++k) steps.push_back(stamps[k].stamp - stamps[k - 1].stamp);
+  if (steps.empty()) return nullptr;
+  const double step = median(std::move(steps));
+  const auto it = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& unit) {
+    return span * unit.scale > kShortestPart * step && span * unit.scale < kLongestPart * step;
+  });
+  return it == kUnits.end() || step > kShortestSpan / kShortestPart ? nullptr : &*it;
 }
 
 const char* meaning_of(TimeReference reference, double middle) {
@@ -106,6 +119,7 @@ TimeDecision decide_time(std::span<const std::vector<double>> values, std::span<
   }
   const double span = median_span(ranges) / 0.98;
   const Unit* unit = unit_of(span);
+  if (unit == nullptr) unit = unit_of_part(span, kept);
   if (unit == nullptr) {
     return {{},
             false,

@@ -5,6 +5,7 @@
 #include <tilth/core/error.hpp>
 #include <tilth/messages/packet_message.hpp>
 #include <tilth/sources/bag_packets.hpp>
+#include <tilth/sources/frame_choice.hpp>
 
 namespace tilth {
 namespace {
@@ -12,8 +13,8 @@ namespace {
 /// Packets of messages, one by one.
 class MessagePackets {
  public:
-  MessagePackets(BagReader bag, const BagTopic& topic)
-      : bag_(std::move(bag)), type_(topic.type), serialization_(topic.serialization()) {}
+  MessagePackets(BagReader bag, const BagTopic& topic, const std::string& frame)
+      : bag_(std::move(bag)), type_(topic.type), serialization_(topic.serialization()), frames_(frame) {}
 
   std::optional<ReceivedPacket> next() {
     while (waiting_.empty()) {
@@ -31,9 +32,12 @@ class MessagePackets {
     return damage.empty() || problem_.empty() ? damage + problem_ : damage + "; " + problem_;
   }
 
+  std::vector<std::string> notices() const { return frames_.notices(); }
+
  private:
   void take(const Message& message) {
     try {
+      if (!frames_.takes(packet_message_frame(type_, message.bytes, serialization_))) return;
       for (const StampedPayload& p : parse_packet_message(type_, message.bytes, serialization_)) {
         const double arrival = p.stamp > 0.0 ? p.stamp : 1e-9 * double(message.stamp);
         waiting_.push_back({arrival, 0, {p.payload.begin(), p.payload.end()}});
@@ -46,18 +50,19 @@ class MessagePackets {
   BagReader bag_;
   std::string type_, problem_;
   Serialization serialization_;
+  FrameChoice frames_;
   std::deque<ReceivedPacket> waiting_;
 };
 
 }  // namespace
 
-PacketFeed bag_packet_feed(BagReader bag, const BagTopic& topic, const std::string& name) {
+PacketFeed bag_packet_feed(BagReader bag, const BagTopic& topic, const std::string& name, const std::string& frame) {
   bag.select(topic.name);
-  const auto reader = std::make_shared<MessagePackets>(std::move(bag), topic);
+  const auto reader = std::make_shared<MessagePackets>(std::move(bag), topic, frame);
   return {name,
           {},
           [reader] { return reader->next(); },
-          [] { return std::vector<std::string>{}; },
+          [reader] { return reader->notices(); },
           [reader] { return reader->problem(); }};
 }
 

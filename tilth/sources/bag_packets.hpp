@@ -7,8 +7,8 @@
 
 namespace tilth {
 
-/// Those of `topic`, whose type is_packet_message(). `name` is that of the feed. Messages that cannot be read are
-/// passed over and told in problem().
-PacketFeed bag_packet_feed(BagReader bag, const BagTopic& topic, const std::string& name);
+/// Those of `topic`, whose type is_packet_message(), of the sensor with that `frame`; empty: the first one's. `name` is
+/// that of the feed. Messages that cannot be read are passed over and told in problem().
+PacketFeed bag_packet_feed(BagReader bag, const BagTopic& topic, const std::string& name, const std::string& frame);
 
 }  // namespace tilth

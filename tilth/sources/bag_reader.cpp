@@ -2,11 +2,11 @@
 #include <memory>
 #include <vector>
 
+#include <tilth/io/file_kind.hpp>
 #include <tilth/io/mcap.hpp>
 #include <tilth/io/rosbag1.hpp>
 #include <tilth/io/rosbag2.hpp>
 #include <tilth/io/rosbag2_metadata.hpp>
-#include <tilth/io/unpacked_file.hpp>
 #include <tilth/sources/bag_reader.hpp>
 
 namespace tilth {
@@ -54,15 +54,16 @@ BagReader chained(const std::vector<std::filesystem::path>& files) {
 }  // namespace
 
 bool is_bag(const std::filesystem::path& path) {
-  return path.extension() == ".bag" || unpacked_name(path).extension() == ".mcap" || is_rosbag2(path);
+  const std::string kind = kind_of_file(path);
+  return kind == ".bag" || kind == ".mcap" || is_rosbag2(path);
 }
 
 BagReader open_bag_reader(const std::filesystem::path& path) {
-  if (path.extension() == ".bag") return wrapped<Rosbag1Reader>(path);
-  if (unpacked_name(path).extension() == ".mcap") return wrapped<McapReader>(path);
+  if (kind_of_file(path) == ".bag") return wrapped<Rosbag1Reader>(path);
+  if (kind_of_file(path) == ".mcap") return wrapped<McapReader>(path);
   if (!std::filesystem::is_directory(path)) return wrapped<Rosbag2Reader>(path);
   const std::vector<std::filesystem::path> files = rosbag2_files(path);
-  return unpacked_name(files.front()).extension() == ".mcap" ? chained(files) : wrapped<Rosbag2Reader>(path);
+  return kind_of_file(files.front()) == ".mcap" ? chained(files) : wrapped<Rosbag2Reader>(path);
 }
 
 }  // namespace tilth

@@ -12,6 +12,7 @@ namespace tilth {
 
 struct SourceOptions {
   std::string topic = {};              ///< of a bag; empty: the only point cloud topic
+  std::string frame = {};              ///< frame_id of the clouds of that topic; empty: the first one's
   double rate = 0.0;                   ///< [Hz] of scans whose times are not recorded; 0: 10 Hz, and said so
   OptionValues values = {};            ///< keys of PacketSourceOptions for packets, of CloudOptions for point clouds
   std::function<bool()> stopped = {};  ///< asked while a live source waits: true ends it; empty: never

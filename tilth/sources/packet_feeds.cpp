@@ -66,7 +66,7 @@ PacketFeed bag_feed(const fs::path& path, const std::string& topic) {
   const std::map<std::string, BagTopic> all = bag_topics(bag.connections), packets = packet_topics(all);
   const BagTopic chosen = choose_bag_topic(path.string(), packets.empty() ? all : packets, topic);
   if (packets.empty()) throw Error(path.string(), "holds point clouds but no packets; topic " + chosen.name);
-  return bag_packet_feed(std::move(bag), chosen, "topic " + chosen.name + " of " + path.string());
+  return bag_packet_feed(std::move(bag), chosen, "topic " + chosen.name + " of " + path.string(), "");
 }
 
 /// Gives packets without arrival one, a period of the sensor after the one before.

@@ -1,7 +1,6 @@
-#include <algorithm>
-#include <cctype>
 #include <utility>
 
+#include <tilth/io/file_kind.hpp>
 #include <tilth/io/payload_file.hpp>
 #include <tilth/io/pcap.hpp>
 #include <tilth/sources/packet_files.hpp>
@@ -23,9 +22,7 @@ std::vector<std::string> notices_of(const PcapCounts& counts) {
 }  // namespace
 
 bool is_capture(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string extension = kind_of_file(path);
   return extension == ".pcap" || extension == ".pcapng" || extension == ".cap";
 }
 

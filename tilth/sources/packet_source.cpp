@@ -88,6 +88,7 @@ class PacketSource : public ScanSource {
     };
     tell(counts.lost, "packet",
          "lost: their points are missing. A network or computer with too much to do is the usual cause");
+    tell(counts.unsent, "packet", "not sent: the view of the sensor is cropped to a part of the turn");
     tell(counts.late, "packet", "left out: repeated, or overtaken by later ones");
     tell(counts.other + unknown_, "datagram", "of the same port or sender left out: no packets of this sensor");
     tell(foreign_, "packet", "of another sender left out; --host chooses");

@@ -1,5 +1,6 @@
-// Scans of a recording: records in, decided upon and decoded, scans out. Whatever stores the records only has to hand
-// them over one by one. The next scan is read and decoded in the background while the caller works on this one.
+// Scans of a recording: records in, decided upon, decoded and put together or cut to whole turns, scans out. Whatever
+// stores the records only has to hand them over one by one. The next scan is read and decoded in the background while
+// the caller works on this one.
 #pragma once
 
 #include <deque>
@@ -10,7 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include <tilth/sensor/scan_decoder.hpp>
+#include <tilth/sensor/recording_decoder.hpp>
+#include <tilth/sensor/turn_stage.hpp>
 #include <tilth/sources/scan_source.hpp>
 
 namespace tilth {
@@ -34,17 +36,36 @@ class RecordedSource : public ScanSource {
 
   void add_contents(std::vector<std::string> lines);  ///< before the fields'
 
+  void add_decision(const std::string& sentence) { decisions_.push_back(sentence); }
+  void add_notices(std::function<std::vector<std::string>()> of_reader);  ///< what the reader noticed, told first
+
   std::optional<Scan> next() override;
   std::optional<std::size_t> size() const override { return size_; }
+  std::vector<std::string> notices() const override;
 
  private:
   using Outcome = std::variant<std::monostate, Scan, SkippedScan>;  ///< the end, a scan, or a record passed over
+  struct Origin {
+    std::size_t index = 0;  ///< of the record
+    std::string where;
+  };
 
   Outcome decode_next();
+  void read_on();
+  void hand_out(std::vector<Scan> turns);
+  Outcome in_order(Scan scan, const Origin& origin);
+  std::optional<RecordedScan> take();
+  void learn_fields(const RecordedScan& record);
+  void take_plan();
 
   RecordReader reader_;
-  std::deque<RecordedScan> first_;  ///< read for the decision, not handed out yet
-  std::optional<ScanDecoder> decoder_;
+  std::function<std::vector<std::string>()> reader_notices_;
+  std::deque<RecordedScan> first_;  ///< read for a decision and mended, not decoded yet
+  std::optional<RecordingDecoder> decoder_;
+  TurnStage turns_;
+  std::deque<std::variant<Origin, SkippedScan>> read_;  ///< what went into turns_, or was passed over meanwhile
+  std::deque<Outcome> ready_;
+  bool ended_ = false, planned_ = false;
   std::optional<double> last_stamp_;
   std::optional<std::size_t> size_;
   std::future<Outcome> ahead_;  ///< last: its thread uses the members above

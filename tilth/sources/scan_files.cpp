@@ -8,7 +8,9 @@
 #include <system_error>
 
 #include <tilth/core/error.hpp>
+#include <tilth/io/file_kind.hpp>
 #include <tilth/io/times_file.hpp>
+#include <tilth/sources/kitti_raw.hpp>
 #include <tilth/sources/scan_files.hpp>
 
 namespace tilth {
@@ -62,7 +64,8 @@ std::optional<std::vector<double>> times_in_names(const std::vector<fs::path>& f
 std::vector<fs::path> scan_files_in(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.is_regular_file() && is_scan_file(entry.path())) files.push_back(entry.path());
+    if (entry.is_regular_file() && !is_hidden(entry.path()) && is_scan_file(entry.path()))
+      files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return natural_less(a.filename().string(), b.filename().string());
@@ -106,9 +109,7 @@ std::string hertz(double rate) {
 }  // namespace
 
 bool is_scan_file(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string extension = kind_of_file(path);
   return extension == ".pcd" || extension == ".ply" || extension == ".bin";
 }
 
@@ -136,15 +137,20 @@ std::vector<fs::path> find_scan_files(const fs::path& folder) {
       std::vector<fs::path> files = scan_files_in(folder / place);
       if (!files.empty()) return files;
     }
+    if (const std::optional<fs::path> raw = kitti_raw_scans(folder)) {
+      if (std::vector<fs::path> files = scan_files_in(*raw); !files.empty()) return files;
+    }
     if (fs::is_empty(folder)) throw Error(folder.string(), "the folder is empty");
   } catch (const fs::filesystem_error& error) {
     throw Error(folder.string(), error.code().message());
   }
-  throw Error(folder.string(), "no .pcd, .ply or .bin scans, neither in it nor in scans/, clouds/ or velodyne/");
+  throw Error(folder.string(),
+              "no .pcd, .ply or .bin scans, neither in it nor in scans/, clouds/, velodyne/ or velodyne_points/data/");
 }
 
 ScanStamps stamps_of(const std::vector<fs::path>& files, double rate) {
   if (std::optional<ScanStamps> listed = listed_stamps(files)) return *listed;
+  if (std::optional<ScanStamps> dated = kitti_raw_stamps(files)) return *dated;
   if (std::optional<std::vector<double>> named = times_in_names(files)) {
     return {std::move(*named), false, "stamps: from the names of the files"};
   }

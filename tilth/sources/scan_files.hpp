@@ -14,8 +14,8 @@ bool is_scan_file(const std::filesystem::path& path);
 /// "9" before "10": runs of digits compare as numbers.
 bool natural_less(std::string_view a, std::string_view b);
 
-/// The scan files of `folder`, or of its scans/, clouds/ or velodyne/, in natural order. Throws Error where there are
-/// none.
+/// The scan files of `folder`, or of its scans/, clouds/ or velodyne/, or of a raw recording of KITTI, in natural
+/// order; hidden files ("._scan.pcd") are none. Throws Error where there are none.
 std::vector<std::filesystem::path> find_scan_files(const std::filesystem::path& folder);
 
 struct ScanStamps {
@@ -24,9 +24,10 @@ struct ScanStamps {
   std::string decision;
 };
 
-/// Stamps from times.txt beside the files or in the folder above, else from their names where those are times (seconds
-/// with decimals, or integers of nano-, micro- or milliseconds since 1970), else at `rate` [Hz] or, where that is 0, 10
-/// Hz. A list longer than the files leaves its tail unused; throws Error where it is shorter or a line is no number.
+/// Stamps from times.txt beside the files or in the folder above, else KITTI's timestamps.txt, else from their names
+/// where those are times (seconds with decimals, or integers of nano-, micro- or milliseconds since 1970), else at
+/// `rate` [Hz] or, where that is 0, 10 Hz. A list longer than the files leaves its tail unused; throws Error where it
+/// is shorter or a line is no number.
 ScanStamps stamps_of(const std::vector<std::filesystem::path>& files, double rate);
 
 }  // namespace tilth

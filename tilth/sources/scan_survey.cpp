@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <tilth/sources/scan_survey.hpp>
 
@@ -31,21 +32,25 @@ void ScanSurvey::add(const Scan& scan) {
   most_ = std::max(most_, cloud.size());
   points_ += cloud.size();
   stamps_.push_back(scan.stamp);
-  for (const Eigen::Vector3d& point : cloud.points) ranges_.add(point.norm());
+  for (std::size_t i = 0; i < cloud.size(); i += every_) ranges_.add(cloud.points[i].norm());
   if (cloud.has_times()) {
     ++scans_with_times_;
     longest_turn_ = std::max(longest_turn_, double(*std::max_element(cloud.times.begin(), cloud.times.end())));
   }
   if (cloud.has_rings()) {
     ++scans_with_rings_;
-    for (const std::uint16_t ring : cloud.rings) {
+    for (std::size_t i = 0; i < cloud.size(); i += every_) {
+      const std::uint16_t ring = cloud.rings[i];
       if (ring >= ring_counts_.size()) ring_counts_.resize(std::size_t(ring) + 1, 0);
       ++ring_counts_[ring];
     }
   }
   if (cloud.intensities.empty()) return;
+  const auto [least, most] = std::minmax_element(cloud.intensities.begin(), cloud.intensities.end());
+  least_intensity_ = intensities_ ? std::min(least_intensity_, *least) : *least;
+  most_intensity_ = intensities_ ? std::max(most_intensity_, *most) : *most;
   if (!intensities_) intensities_ = intensity_bins(cloud.intensities);
-  for (const float intensity : cloud.intensities) intensities_->add(intensity);
+  for (std::size_t i = 0; i < cloud.size(); i += every_) intensities_->add(cloud.intensities[i]);
 }
 
 double ScanSurvey::duration() const {
@@ -74,7 +79,8 @@ double ScanSurvey::ratio_nearer(double range) const {
   std::size_t nearer = 0;
   for (std::size_t i = 0; i < ranges_.counts.size() && ranges_.borders[i + 1] <= range; ++i)
     nearer += ranges_.counts[i];
-  return points_ == 0 ? 0.0 : double(nearer) / double(points_);
+  const std::size_t all = std::accumulate(ranges_.counts.begin(), ranges_.counts.end(), std::size_t{0});
+  return all == 0 ? 0.0 : double(nearer) / double(all);
 }
 
 }  // namespace tilth

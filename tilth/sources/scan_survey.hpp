@@ -25,6 +25,9 @@ struct Gap {
 
 class ScanSurvey {
  public:
+  /// Ranges, intensities and beams are those of one in `every` points.
+  explicit ScanSurvey(std::size_t every = 1) : every_(every) {}
+
   void add(const Scan& scan);
 
   std::size_t scans() const { return stamps_.size(); }
@@ -42,14 +45,17 @@ class ScanSurvey {
   double ratio_nearer(double range) const;                   ///< of the points; `range` is a border of ranges()
   const SurveyHistogram& ranges() const { return ranges_; }  ///< [m]
   const std::optional<SurveyHistogram>& intensities() const { return intensities_; }
+  bool intensities_alike() const { return intensities_ && least_intensity_ == most_intensity_; }
 
  private:
+  std::size_t every_;
   std::vector<double> stamps_;
   std::size_t points_ = 0, fewest_ = 0, most_ = 0, scans_with_times_ = 0, scans_with_rings_ = 0;
   double longest_turn_ = 0.0;
   std::vector<std::size_t> ring_counts_;
   SurveyHistogram ranges_{{0, 0.5, 1, 2, 5, 10, 20, 50, 100, 200}, std::vector<std::size_t>(9, 0)};
   std::optional<SurveyHistogram> intensities_;
+  float least_intensity_ = 0.0F, most_intensity_ = 0.0F;
 };
 
 /// Counts and histograms as text, one line an entry.

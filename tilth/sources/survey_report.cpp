@@ -77,9 +77,7 @@ void warn_of_points(const ScanSurvey& survey, std::vector<std::string>& warnings
              "these points out by a larger min_range.",
              100.0 * ratio, kNear));
   }
-  if (!survey.intensities()) return;
-  const auto& counts = survey.intensities()->counts;
-  if (*std::max_element(counts.begin(), counts.end()) == survey.points())
+  if (survey.intensities_alike())
     warnings.emplace_back("All intensities are alike, so they say nothing about surfaces. Mapping does not need them.");
 }
 
