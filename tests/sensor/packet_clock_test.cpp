@@ -94,6 +94,64 @@ TEST(PacketClock, AGapThatBothClocksSeeIsAGap) {
   EXPECT_EQ(clock.jumps(), 0U);
 }
 
+std::vector<ClockReading> with_heads(std::vector<ClockReading> all, std::size_t elsewhere) {
+  for (std::size_t k = 0; k < all.size(); ++k) all[k].next_head = k != elsewhere;
+  return all;
+}
+
+TEST(PacketClock, IsNotLedAstrayByAReceiverThatIsSet) {
+  for (const double by : {7200.0, -7200.0, 1800.0, 19800.0, 7300.0, -3.5, 1.6e9}) {
+    for (const ClockTraits& traits : {ClockTraits{3600.0, kStep, false, {}}, ClockTraits{0.0, kStep, true, {}},
+                                      ClockTraits{1.0, kStep, false, {}}}) {
+      SCOPED_TRACE(std::to_string(by) + " with wrap " + std::to_string(traits.wrap));
+      auto all = readings(traits.absolute ? 1.7e9 : 0.7, 1.7e9, 600, traits.wrap > 0.0 ? traits.wrap : 1e12);
+      for (std::size_t k = 300; k < 600; ++k) *all[k].arrival += by;
+      all = with_heads(std::move(all), 1000);
+      PacketClock clock(all, traits);
+      const std::vector<double> t = times(clock, all);
+      expect_even(t, t[0]);
+      EXPECT_EQ(clock.receiver_jumps(), 1U);
+      EXPECT_EQ(clock.jumps(), 0U);
+    }
+  }
+}
+
+TEST(PacketClock, TakesTheShorterGapWhereTheReceiverIsSetMeanwhile) {
+  auto all = readings(100.0, 1.7e9, 600, 3600.0);
+  for (std::size_t k = 300; k < 600; ++k) all[k].sensor += 5.0, *all[k].arrival += 7305.0;
+  PacketClock clock(all, {3600.0, kStep, false, {}});
+  const std::vector<double> t = times(clock, all);
+  EXPECT_NEAR(t[300] - t[299], 5.0 + kStep, 1e-6);
+}
+
+TEST(PacketClock, WithoutAReceiverTakesAJumpForASetClockWhereTheHeadGoesOn) {
+  for (const double by : {7200.0, -7200.0, 18.0, -0.25}) {
+    auto all = readings(1.7e9, std::nullopt, 600, 1e12);
+    for (std::size_t k = 300; k < 600; ++k) all[k].sensor += by;
+    PacketClock set(all, {0.0, kStep, true, {}});
+    expect_even(times(set, with_heads(all, 1000)), 1.7e9);
+    EXPECT_EQ(set.jumps(), 1U);
+  }
+  auto all = readings(1.7e9, std::nullopt, 600, 1e12);
+  for (std::size_t k = 300; k < 600; ++k) all[k].sensor += 18.0;
+  PacketClock gap(all, {0.0, kStep, true, {}});
+  EXPECT_NEAR(times(gap, with_heads(all, 300))[300], 1.7e9 + 18.3, 1e-6) << "the head turned meanwhile";
+}
+
+TEST(PacketClock, OfAnotherTimeZoneIsMovedToTheReceiversHour) {
+  for (const double zone : {8.0, -7.0, 5.5}) {
+    const auto all = readings(1.7e9 + zone * 3600.0, 1.7e9 + 0.01, 300, 1e12);
+    PacketClock clock(all, {0.0, kStep, true, {}});
+    expect_even(times(clock, all), 1.7e9);
+    EXPECT_NE(clock.decision().find(" h off the receiver's"), std::string::npos) << clock.decision();
+  }
+  for (const double off : {37.0, 1000.0, 86400.0}) {  // leap seconds, another fault: the sensor's date stays
+    const auto all = readings(1.7e9 + off, 1.7e9 + 0.01, 300, 1e12);
+    PacketClock clock(all, {0.0, kStep, true, {}});
+    expect_even(times(clock, all), 1.7e9 + off);
+  }
+}
+
 TEST(PositionPacket, TellsTheTimeOfItsGpsSentence) {
   MadePacket packet(512);
   packet.little(198, 393'210'381, 4);

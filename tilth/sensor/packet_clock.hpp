@@ -1,5 +1,6 @@
 // Times of packets from the sensor's clock, which wraps, may run free or stand still, and from the receiver's, which
-// jitters. What they mean is decided once, over the first packets; after that times never jump back.
+// jitters and may be set. What they mean is decided once, over the first packets; after that times never jump back, nor
+// ahead where only one of both clocks does.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +13,9 @@ namespace tilth {
 
 /// The clocks when one packet was sent.
 struct ClockReading {
-  double sensor = 0.0;            ///< [s] of the sensor's clock
-  std::optional<double> arrival;  ///< [s] since 1970, of the receiver's
+  double sensor = 0.0;                 ///< [s] of the sensor's clock
+  std::optional<double> arrival = {};  ///< [s] since 1970, of the receiver's
+  std::optional<bool> next_head = {};  ///< the head stands where it does one packet after the last; nothing: not known
 };
 
 /// What is known of the sensor's clock beside its readings.
@@ -37,19 +39,24 @@ class PacketClock {
   std::optional<double> time(const ClockReading& reading);
 
   const std::string& decision() const { return decision_; }
-  std::size_t jumps() const { return jumps_; }  ///< times at which the sensor's clock was set anew
+  std::size_t jumps() const { return jumps_; }                    ///< times at which the sensor's clock was set anew
+  std::size_t receiver_jumps() const { return receiver_jumps_; }  ///< and the receiver's
 
  private:
   std::optional<double> advance(const ClockReading& reading);
-  double stood_still(const ClockReading& reading) const;
+  std::optional<double> next_time(const ClockReading& reading);
+  double by_one_clock(double sensor, double expected);
+  double stood_still(const ClockReading& reading);
   void anchor(std::span<const double> running, double arrival_offset);
+  bool set_by_mark(std::span<const double> running);
+  void match_hours(double arrival_offset);
 
   ClockTraits traits_;
   bool still_ = false;                         // the sensor's clock does not run
   double base_ = 0.0;                          // [s] wraps and jumps so far
   double offset_ = 0.0;                        // [s] from the running clock to the times given out
   std::optional<double> last_, last_arrival_;  // [s] on the running clock
-  std::size_t jumps_ = 0;
+  std::size_t jumps_ = 0, receiver_jumps_ = 0;
   std::string decision_;
 };
 

@@ -14,10 +14,16 @@ constexpr double kHundredthDegree = std::numbers::pi / 18000.0;
 constexpr double kBackwards = 1000.0;  // [0.01 deg] a head at rest may vibrate by less
 constexpr double kLeastTurn = 0.5, kWholeTurn = 0.99;
 constexpr double kLongestTurn = 1.0;  // [s]
+constexpr double kSameHead = 0.3;     // [packets]
+constexpr double kPause = 1.0;        // [s]
 
 /// [0.01 deg] from a to b, less than half a turn either way.
 double step(double a, double b) {
   return std::remainder(b - a, kTurn);
+}
+
+std::optional<double> first_azimuth(const DataPacket& packet) {
+  return packet.valid(0) ? std::optional<double>(packet.azimuth(0)) : std::nullopt;
 }
 
 PacketClock clock_of(std::span<const Packet> first, const PacketConvention& convention) {
@@ -70,8 +76,10 @@ std::optional<Scan> PacketDecoder::decode(const Packet& packet) {
     return std::nullopt;
   }
   ++counts_.data;
-  const std::optional<double> time = clock_.time(read_clock(data, packet.arrival, convention_.clock));
-  counts_.clock_jumps = clock_.jumps();
+  ClockReading reading = read_clock(data, packet.arrival, convention_.clock);
+  reading.next_head = is_next_head(data);
+  const std::optional<double> time = clock_.time(reading);
+  counts_.clock_jumps = clock_.jumps(), counts_.receiver_jumps = clock_.receiver_jumps();
   const double before = format().stamp_offset(data.dual());
   if (!time || (head_ && *time - before <= head_->time)) {
     ++counts_.late;
@@ -80,15 +88,31 @@ std::optional<Scan> PacketDecoder::decode(const Packet& packet) {
   return decode_data(data, *time - before);
 }
 
-std::optional<Scan> PacketDecoder::decode_data(const DataPacket& packet, double first_shot) {
-  if (last_packet_) {
-    const double packets = std::round((first_shot - *last_packet_) / format().packet_period(last_dual_));
-    if (packets > 1.0) missing_.add(head_ ? head_->azimuth : 0.0, std::size_t(std::min(packets, 1e9)) - 1);
+/// Whether the packet begins where the head stands one packet after the last; nothing where that is not known.
+std::optional<bool> PacketDecoder::is_next_head(const DataPacket& packet) const {
+  const std::optional<double> first = first_azimuth(packet);
+  const double advance = mean_step_ * double(packet.blocks() / (packet.dual() ? 2 : 1));
+  if (!first || !first_azimuth_ || advance <= 0.0) return std::nullopt;
+  return std::abs(step(*first_azimuth_ + advance, *first)) < kSameHead * advance;
+}
+
+/// Packets between the last one and this, whose first shot is at `first_shot` [s].
+void PacketDecoder::count_missing(const DataPacket& packet, double first_shot) {
+  const double gap = last_packet_ ? first_shot - *last_packet_ : 0.0;
+  if (gap >= kPause) {
+    ++counts_.pauses;
+    counts_.longest_pause = std::max(counts_.longest_pause, gap);
+  } else if (const double packets = std::round(gap / format().packet_period(last_dual_)); packets > 1.0) {
+    missing_.add(head_ ? head_->azimuth : 0.0, std::size_t(packets) - 1);
     counts_.lost = missing_.lost(), counts_.unsent = missing_.unsent();
   }
   last_packet_ = first_shot;
   last_dual_ = packet.dual();
+  first_azimuth_ = first_azimuth(packet);
+}
 
+std::optional<Scan> PacketDecoder::decode_data(const DataPacket& packet, double first_shot) {
+  count_missing(packet, first_shot);
   const std::size_t echoes = packet.dual() ? 2 : 1;
   std::optional<Scan> closed;
   double turned = 0.0, steps = 0.0;  // by the columns so far: the last one has no next

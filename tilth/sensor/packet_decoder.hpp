@@ -42,7 +42,9 @@ struct PacketCounts {
   std::size_t unsent = 0;      ///< packets of the part of the turn that the sensor's view leaves out
   std::size_t late = 0;        ///< data packets left out: repeated, after a later one, or overlapping one
   std::size_t incomplete = 0;  ///< turns left out: less than half of one, or cut off by the end of the packets
-  std::size_t clock_jumps = 0;
+  std::size_t clock_jumps = 0, receiver_jumps = 0;  ///< times at which a clock was set
+  std::size_t pauses = 0;                           ///< of a second or more without packets
+  double longest_pause = 0.0;                       ///< [s]
 };
 
 class PacketDecoder {
@@ -66,6 +68,8 @@ class PacketDecoder {
     double azimuth, time;  // [0.01 deg] [s] of a column
   };
   struct Column;  // a block, or two with the echoes of the same shots
+  std::optional<bool> is_next_head(const DataPacket& packet) const;
+  void count_missing(const DataPacket& packet, double first_shot);
   std::optional<Scan> decode_data(const DataPacket& packet, double first_shot);
   std::optional<Scan> turn_to(double azimuth, double time);
   void add_column(const DataPacket& packet, const Column& column);
@@ -81,7 +85,8 @@ class PacketDecoder {
   std::vector<double> cosines_, sines_;          // of the channels' elevations
   std::array<double, kMostSlots> slot_times_{};  // [s]
   MissingPackets missing_;
-  std::optional<double> last_packet_;  // [s] first shot
+  std::optional<double> first_azimuth_;  // [0.01 deg] of the last packet
+  std::optional<double> last_packet_;    // [s] first shot
   bool last_dual_ = false;
   double mean_step_ = 0.0;  // [0.01 deg] from column to column
   Scan open_;

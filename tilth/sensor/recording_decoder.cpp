@@ -62,16 +62,29 @@ Scan RecordingDecoder::decode(const StampedRecords& records) {
   const Layout* known = find(records.records);
   const ScanDecoder& decoder = known == nullptr ? layouts_.front().decoder : known->decoder;
   Scan scan = decoder.decode(records);
-  if (decoder.reads_times() && scan.cloud.has_times())
+  if (!scan.cloud.has_times()) return untimed(std::move(scan));
+  duration_ = *std::max_element(scan.cloud.times.begin(), scan.cloud.times.end());
+  if (decoder.reads_times() || traits_.end_stamps)
     lag_ = records.stamp.stamp - scan.stamp;
   else
     scan.stamp -= lag_;
   return scan;
 }
 
+/// A scan without times among others with times is stamped by its middle, as their poses are.
+Scan RecordingDecoder::untimed(Scan scan) {
+  if (duration_ > 0.0) ++untimed_;
+  scan.stamp += 0.5 * duration_ - lag_;
+  return scan;
+}
+
 std::vector<std::string> RecordingDecoder::notices() const {
   std::vector<std::string> all = mender_.notices();
   all.insert(all.end(), changes_.begin(), changes_.end());
+  if (untimed_ > 0) {
+    all.push_back("times: " + std::to_string(untimed_) + (untimed_ == 1 ? " scan tells" : " scans tell") +
+                  " none of its points, while others do: taken at once in the middle of the turn");
+  }
   return all;
 }
 

@@ -43,13 +43,15 @@ class RecordingDecoder {
   };
 
   const Layout* find(const PointRecords& records) const;
+  Scan untimed(Scan scan);
 
   RecordingTraits traits_;
   RecordMender mender_;
   std::vector<Layout> layouts_;
   std::vector<std::string> decisions_, changes_;
-  std::size_t scans_ = 0;
-  double lag_ = 0.0;  ///< [s] by which stamps lie after the first point, as times that are read tell
+  std::size_t scans_ = 0, untimed_ = 0;
+  double duration_ = 0.0;  ///< [s] of the last scan with times
+  double lag_ = 0.0;       ///< [s] by which stamps lie after the first point, as times that are read tell
 };
 
 }  // namespace tilth

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include <tilth/core/error.hpp>
+#include <tilth/sensor/azimuth_times.hpp>
+#include <tilth/sensor/firing_cycle.hpp>
 #include <tilth/sensor/firing_order.hpp>
 #include <tilth/sensor/scan_decoder.hpp>
 #include <tilth/sensor/spin.hpp>
@@ -23,6 +25,11 @@ std::string intensity_sentence(const std::optional<PointField>& field) {
   return field ? "intensity: field '" + field->name + "' (" + name_of(field->type) + ")" : "intensity: no field";
 }
 
+StampOrigin origin_of(const RecordingTraits& traits) {
+  if (traits.nominal_stamps) return StampOrigin::order;
+  return traits.end_stamps ? StampOrigin::recorder : StampOrigin::own;
+}
+
 PointCloud without(const PointCloud& cloud, const std::vector<std::uint32_t>& left_out) {
   std::vector<std::uint32_t> all(cloud.size()), kept;
   std::iota(all.begin(), all.end(), 0u);
@@ -37,7 +44,8 @@ std::span<const std::string_view> names_of(CloudTimes) {
   return kNames;
 }
 
-ScanDecoder::ScanDecoder(std::span<const StampedRecords> first_scans, const RecordingTraits& traits) {
+ScanDecoder::ScanDecoder(std::span<const StampedRecords> first_scans, const RecordingTraits& traits)
+    : end_stamps_(traits.end_stamps) {
   std::vector<MeasuredPoints> scans;
   std::vector<CloudStamp> stamps;
   std::optional<PointFieldRoles> roles;
@@ -80,7 +88,7 @@ void ScanDecoder::decide_times(std::span<const MeasuredPoints> scans, std::span<
     for (const MeasuredPoints& scan : scans) values.push_back(scan.time_values);
     if (std::any_of(values.begin(), values.end(), [](const auto& v) { return v.empty(); })) values.clear();
     if (values.empty()) return decisions_.push_back("time: field '" + field->name + "' is not in every scan: not used");
-    const TimeDecision decision = decide_time(values, stamps, *field, traits.nominal_stamps);
+    const TimeDecision decision = decide_time(values, stamps, *field, origin_of(traits));
     times_ = decision.convention;
     decisions_.push_back(decision.sentence);
     if (times_) {
@@ -116,9 +124,11 @@ void ScanDecoder::decide_spin(std::span<const MeasuredPoints> scans, std::span<c
         "time: no field, and the points lie on a ray caster's exact grid: scans are snapshots, no point times");
     return;
   }
-  const SpinDecision spin = measure_spin(rotations, rotation_stamps, traits.nominal_stamps);
+  const SpinDecision spin = measure_spin(rotations, rotation_stamps, traits.nominal_stamps,
+                                         column_step(scans.front().points, rings_->rings_of(scans.front())));
   spin_period_ = spin.period;
   cut_ = spin.cut;
+  clockwise_ = rotations.front().clockwise;
   decisions_.push_back(spin.sentence);
 }
 
@@ -132,15 +142,25 @@ Scan ScanDecoder::decode(const StampedRecords& stamped) const {
   return scan;
 }
 
-void ScanDecoder::set_times(MeasuredPoints& measured, double stamp, Scan& scan) const {
-  if (spin_period_) {
-    if (const std::optional<HeadRotation> rotation = find_head_rotation(measured.points, scan.cloud.rings)) {
-      const double rate = *spin_period_ / (2 * std::numbers::pi);
-      if (cut_) scan.stamp += delay_of_first(*rotation, *cut_, *spin_period_);
-      scan.cloud.times.reserve(rotation->progress.size());
-      for (const double angle : rotation->progress) scan.cloud.times.push_back(float(angle * rate));
-    }
+/// Times by the order of firing; where the points are too few or in another order, by their azimuth since a fixed cut.
+void ScanDecoder::derive_times(std::span<const Eigen::Vector3d> points, Scan& scan) const {
+  std::vector<double> times;
+  if (const std::optional<HeadRotation> rotation = find_head_rotation(points, scan.cloud.rings)) {
+    const double rate = *spin_period_ / (2 * std::numbers::pi);
+    if (cut_ && !end_stamps_) scan.stamp += delay_of_first(*rotation, *cut_, *spin_period_);
+    for (const double angle : rotation->progress) times.push_back(angle * rate);
+    if (end_stamps_) scan.stamp -= rotation->covered() * rate;
+  } else if (cut_) {
+    times = times_by_azimuth(points, {*cut_, *spin_period_, clockwise_});
+    const double first = *std::min_element(times.begin(), times.end());
+    for (double& time : times) time -= first;
+    scan.stamp += end_stamps_ ? first - *spin_period_ : first;
   }
+  scan.cloud.times.assign(times.begin(), times.end());
+}
+
+void ScanDecoder::set_times(MeasuredPoints& measured, double stamp, Scan& scan) const {
+  if (spin_period_) derive_times(measured.points, scan);
   scan.cloud.points = std::move(measured.points);
   if (!times_ || measured.time_values.empty()) return;
   if (std::optional<PointTimes> times = point_times(*times_, measured.time_values, stamp)) {

@@ -43,6 +43,7 @@ void visit(CloudOptions& o, V&& v) {
 struct RecordingTraits {
   bool nominal_stamps = false;  ///< nobody recorded them
   bool deskewed = false;        ///< the points of a scan already share one instant
+  bool end_stamps = false;      ///< stamps follow the last point: they are the recorder's
   CloudTimes times = CloudTimes::automatic;
   LengthUnit unit = LengthUnit::automatic;
 };
@@ -64,12 +65,14 @@ class ScanDecoder {
                     const std::optional<PointField>& field, const RecordingTraits& traits);
   void decide_spin(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,
                    const RecordingTraits& traits);
+  void derive_times(std::span<const Eigen::Vector3d> points, Scan& scan) const;
   void set_times(MeasuredPoints& measured, double stamp, Scan& scan) const;
 
   std::optional<RingConvention> rings_;
   std::optional<TimeConvention> times_;
   std::optional<double> spin_period_;  ///< [s] where times are derived from the order of firing
-  std::optional<double> cut_;          ///< [rad] azimuth where the stamps stand, where all scans begin there
+  bool end_stamps_ = false, clockwise_ = true;
+  std::optional<double> cut_;  ///< [rad] azimuth where the stamps stand, where all scans begin there
   std::vector<std::string> decisions_;
 };
 

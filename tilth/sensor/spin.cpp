@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include <tilth/sensor/firing_cycle.hpp>
 #include <tilth/sensor/spin.hpp>
 
 namespace tilth {
@@ -13,6 +14,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kShortestPeriod = 0.04, kLongestPeriod = 0.25;  ///< [s] LiDARs spin at 5 to 20 Hz
 constexpr double kUsualPeriod = 0.1;                             ///< [s]
+constexpr double kUsual = 0.05;                                  ///< relative: a period as near to it is the usual one
 constexpr double kFixedCut = 0.5 * kDegree;  ///< scans that begin within this are cut at a fixed azimuth
 constexpr double kContinues = 2 * kDegree;   ///< a scan begins where the one before ended
 
@@ -61,6 +63,40 @@ Succession succession(std::span<const HeadRotation> rotations) {
   return median(gaps) < kContinues ? Succession::follows : Succession::leaves_out;
 }
 
+/// What the stamps of consecutive scans say; medians.
+struct StampedTurns {
+  double step = 0.0;    ///< [s] from scan to scan; 0: nothing tells it
+  double turned = 0.0;  ///< [turns] from scan to scan, whole ones left out
+  double period = 0.0;  ///< [s] of one turn, if none was left out
+};
+
+StampedTurns turns_between(std::span<const HeadRotation> rotations, std::span<const double> stamps) {
+  std::vector<double> steps, turns, periods;
+  for (std::size_t k = 1; k < rotations.size(); ++k) {
+    const double turned = rotations[k - 1].covered() + gap(rotations[k - 1], rotations[k]);
+    const double step = stamps[k] - stamps[k - 1];
+    if (step <= 0.0 || turned <= kDegree) continue;
+    steps.push_back(step);
+    turns.push_back(turned / kTurn);
+    periods.push_back(step * kTurn / turned);
+  }
+  if (steps.empty()) return {};
+  return {median(std::move(steps)), median(std::move(turns)), median(std::move(periods))};
+}
+
+bool is_spin(double period) {
+  return period >= kShortestPeriod && period <= kLongestPeriod;
+}
+
+/// Where a sensor fires as known ones do only if turns were not recorded. Sensors turn in 0.1 s where nothing else is
+/// known: then columns may as well have been thinned out.
+std::optional<LeftOutTurns> left_out(const StampedTurns& stamped, const std::optional<double>& column_step) {
+  if (!column_step || stamped.step <= 0.0) return std::nullopt;
+  if (is_spin(stamped.period) && fires_as_known(stamped.period, *column_step)) return std::nullopt;
+  if (std::abs(stamped.period / kUsualPeriod - 1.0) < kUsual) return std::nullopt;
+  return turns_left_out(stamped.step, stamped.turned, *column_step);
+}
+
 }  // namespace
 
 double delay_of_first(const HeadRotation& rotation, double cut, double period) {
@@ -69,14 +105,9 @@ double delay_of_first(const HeadRotation& rotation, double cut, double period) {
   return late > kFixedCut && ends_before_cut ? late / kTurn * period : 0.0;
 }
 
-SpinDecision measure_spin(std::span<const HeadRotation> rotations, std::span<const double> stamps,
-                          bool nominal_stamps) {
-  std::vector<double> periods;
-  for (std::size_t k = 1; k < rotations.size(); ++k) {
-    const double turned = rotations[k - 1].covered() + gap(rotations[k - 1], rotations[k]);
-    const double step = stamps[k] - stamps[k - 1];
-    if (step > 0.0 && turned > kDegree) periods.push_back(step * kTurn / turned);
-  }
+SpinDecision measure_spin(std::span<const HeadRotation> rotations, std::span<const double> stamps, bool nominal_stamps,
+                          const std::optional<double>& column_step) {
+  const StampedTurns stamped = turns_between(rotations, stamps);
   const std::optional<double> cut = fixed_cut(rotations);
   const Succession order = succession(rotations);
   const std::string begin = derived(rotations.front());
@@ -86,18 +117,25 @@ SpinDecision measure_spin(std::span<const HeadRotation> rotations, std::span<con
             "time: no field, and scans do not begin where the one before ended while the stamps are nominal: no point "
             "times"};
   }
-  const double period = periods.empty() ? 0.0 : median(periods);
-  if (period < kShortestPeriod || period > kLongestPeriod) {
+  const auto fewer = nominal_stamps || order == Succession::follows ? std::nullopt : left_out(stamped, column_step);
+  if (fewer) {
+    return {fewer->period, cut,
+            begin + ", spin period " + number("%.4f", fewer->period) + " s and " + std::to_string(fewer->turns) +
+                " of " + std::to_string(fewer->turns + 1) + " turns not recorded: a beam's points lie " +
+                number("%.3f", *column_step / kDegree) + " deg apart, as sensors fire at that rate, and scans " +
+                number("%.4f", stamped.step) + " s"};
+  }
+  if (!is_spin(stamped.period)) {
     return {kUsualPeriod, cut,
             begin + ", spin period ASSUMED " + number("%.4f", kUsualPeriod) + " s: " +
-                (periods.empty() ? "one scan tells none"
-                                 : "the stamps give " + number("%.4f", period) + " s, which is no spin")};
+                (stamped.step <= 0.0 ? "one scan tells none"
+                                     : "the stamps give " + number("%.4f", stamped.period) + " s, which is no spin")};
   }
-  const std::string measured = begin + ", spin period " + number("%.4f", period) + " s";
-  if (!nominal_stamps) return {period, cut, measured + " from the stamps"};
+  const std::string measured = begin + ", spin period " + number("%.4f", stamped.period) + " s";
+  if (!nominal_stamps) return {stamped.period, cut, measured + " from the stamps"};
   if (order == Succession::follows)
-    return {period, cut, measured + " from the nominal rate; each scan begins where the one before ended"};
-  return {period, cut, measured + ", a GUESS from the nominal rate"};
+    return {stamped.period, cut, measured + " from the nominal rate; each scan begins where the one before ended"};
+  return {stamped.period, cut, measured + ", a GUESS from the nominal rate"};
 }
 
 }  // namespace tilth

@@ -17,9 +17,10 @@ struct SpinDecision {
   std::string sentence;
 };
 
-/// `sweeps[k]` is the sweep of the scan stamped `stamps[k]` [s]; consecutive scans, at least one. Stamps are nominal
-/// where nobody recorded them.
-SpinDecision measure_spin(std::span<const HeadRotation> rotations, std::span<const double> stamps, bool nominal_stamps);
+/// `rotations[k]` is the rotation of the scan stamped `stamps[k]` [s]; consecutive scans, at least one. Stamps are
+/// nominal where nobody recorded them. `column_step` [rad] lies between two points of a beam, where that is known.
+SpinDecision measure_spin(std::span<const HeadRotation> rotations, std::span<const double> stamps, bool nominal_stamps,
+                          const std::optional<double>& column_step);
 
 /// [s] from the stamp to the first point: more than 0 where the first returns after a fixed cut are missing.
 double delay_of_first(const HeadRotation& rotation, double cut, double period);

@@ -108,7 +108,7 @@ Told told_by(std::span<const std::vector<double>> values, std::span<const CloudS
 }  // namespace
 
 TimeDecision decide_time(std::span<const std::vector<double>> values, std::span<const CloudStamp> stamps,
-                         const PointField& field, bool nominal_stamps) {
+                         const PointField& field, StampOrigin origin) {
   const std::string name = "time: field '" + field.name + "' (" + name_of(field.type) + ") ";
   const auto [ranges, kept, coarse, constant] = told_by(values, stamps, field.type);
   if (2 * coarse > values.size()) {
@@ -127,7 +127,7 @@ TimeDecision decide_time(std::span<const std::vector<double>> values, std::span<
   }
   const auto longest =
       std::max_element(ranges.begin(), ranges.end(), [](auto& a, auto& b) { return a.span() < b.span(); });
-  TimeConvention convention{unit->scale, reference_of(ranges, kept, unit->scale, nominal_stamps),
+  TimeConvention convention{unit->scale, reference_of(ranges, kept, unit->scale, origin),
                             longest->span() / 0.98 * unit->scale};
   return {convention, false, name + "in " + unit->name + " " + meaning_of(convention.reference, median_middle(ranges))};
 }

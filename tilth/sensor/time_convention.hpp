@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <tilth/core/point_records.hpp>
+#include <tilth/sensor/stamp_origin.hpp>
 
 namespace tilth {
 
@@ -40,7 +41,7 @@ struct TimeDecision {
 
 /// `values[k]` holds the field's values of the scan with `stamps[k]`; at least one scan, each with a point.
 TimeDecision decide_time(std::span<const std::vector<double>> values, std::span<const CloudStamp> stamps,
-                         const PointField& field, bool nominal_stamps);
+                         const PointField& field, StampOrigin origin);
 
 struct PointTimes {
   double stamp = 0.0;                   ///< [s] of the first point

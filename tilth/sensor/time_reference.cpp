@@ -70,16 +70,18 @@ double median_middle(std::span<const ValueRange> ranges) {
 }
 
 TimeReference reference_of(std::span<const ValueRange> ranges, std::span<const CloudStamp> stamps, double scale,
-                           bool nominal_stamps) {
+                           StampOrigin origin) {
   const double middle = median_middle(ranges) * scale;
   if (std::abs(middle) > kLargestRelativeTime) {
-    if (nominal_stamps) return TimeReference::points_clock;
+    if (origin == StampOrigin::order) return TimeReference::points_clock;
     std::vector<double> gaps;
     for (std::size_t k = 0; k < ranges.size(); ++k)
       gaps.push_back(std::abs(ranges[k].middle * scale - stamps[k].stamp));
-    return median(gaps) < kSameClock ? TimeReference::absolute : TimeReference::other_clock;
+    if (median(gaps) < kSameClock) return TimeReference::absolute;
+    return origin == StampOrigin::recorder ? TimeReference::points_clock : TimeReference::other_clock;
   }
-  if (middle < 0.0 || nominal_stamps) return TimeReference::stamp;
+  if (middle < 0.0 || origin == StampOrigin::order) return TimeReference::stamp;
+  if (origin == StampOrigin::recorder) return TimeReference::end_stamp;
   const double span = median_span(ranges) * scale;
   const bool ends = arrives_too_early(stamps, span) || spans_match_step_before(ranges, stamps, scale);
   return ends ? TimeReference::end_stamp : TimeReference::stamp;

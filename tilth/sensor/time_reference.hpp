@@ -26,6 +26,6 @@ double median_middle(std::span<const ValueRange> ranges);
 
 /// `ranges[k]` belongs to `stamps[k]`; `scale` [s] is one unit.
 TimeReference reference_of(std::span<const ValueRange> ranges, std::span<const CloudStamp> stamps, double scale,
-                           bool nominal_stamps);
+                           StampOrigin origin);
 
 }  // namespace tilth

@@ -30,8 +30,7 @@ class CloudReader {
         if (!message) return end();
         PointCloud2 cloud = parse_point_cloud2(message->bytes, serialization_);
         if (!frames_->takes(cloud.frame_id)) continue;
-        const double arrival = 1e-9 * double(message->stamp);
-        scan.records = {{cloud.stamp > 0.0 ? cloud.stamp : arrival, arrival}, std::move(cloud.records)};
+        scan.records = {{cloud.stamp, 1e-9 * double(message->stamp)}, std::move(cloud.records)};
       } catch (const Error& error) {
         scan.problem = error.what();
       }
@@ -70,7 +69,7 @@ std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const So
   bag.select(topic.name);
   const auto clouds = options_of<CloudOptions>("the point clouds of " + source, options.values);
   std::vector<std::string> decisions{"source: " + source + ", " + std::to_string(topic.messages) + " messages",
-                                     "stamps: of the message headers; where one is 0, of the recorder"};
+                                     "stamps: of the message headers, where they tell scans apart"};
   const auto frames = std::make_shared<FrameChoice>(options.frame);
   try {
     auto recorded = std::make_unique<RecordedSource>(

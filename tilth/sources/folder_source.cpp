@@ -91,7 +91,8 @@ std::unique_ptr<ScanSource> open_folder(const fs::path& path, const SourceOption
       fs::is_directory(absolute) ? find_scan_files(absolute) : std::vector<fs::path>{absolute};
   ScanStamps stamps = stamps_of(files, options.rate);
   const bool kitti = is_kitti_sequence(files);
-  const RecordingTraits traits{stamps.nominal, kitti, clouds.times, clouds.unit};
+  const RecordingTraits traits{
+      .nominal_stamps = stamps.nominal, .deskewed = kitti, .times = clouds.times, .unit = clouds.unit};
   std::vector<std::string> decisions{"source: " + std::to_string(files.size()) +
                                          (kitti ? " scans of a KITTI sequence in " : " scan files in ") +
                                          files.front().parent_path().string(),

@@ -27,6 +27,12 @@ std::string date_text(double utc) {
   return text.data();
 }
 
+std::string seconds_text(double seconds) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.1f s", seconds);
+  return text.data();
+}
+
 /// What Velodyne's position packets say at last.
 std::string position_text(std::size_t packets, const PositionInfo& last) {
   constexpr std::array kPulse{"no pulse of a GPS receiver", "the GPS receiver's pulse is being locked on to",
@@ -89,11 +95,13 @@ class PacketSource : public ScanSource {
     tell(counts.lost, "packet",
          "lost: their points are missing. A network or computer with too much to do is the usual cause");
     tell(counts.unsent, "packet", "not sent: the view of the sensor is cropped to a part of the turn");
+    tell(counts.pauses, "pause", "of the packets, the longest of " + seconds_text(counts.longest_pause));
     tell(counts.late, "packet", "left out: repeated, or overtaken by later ones");
     tell(counts.other + unknown_, "datagram", "of the same port or sender left out: no packets of this sensor");
     tell(foreign_, "packet", "of another sender left out; --host chooses");
     tell(counts.incomplete, "incomplete turn", "left out");
     tell(counts.clock_jumps, "jump", "of the sensor's clock evened out");
+    tell(counts.receiver_jumps, "jump", "of the receiver's clock not followed: the sensor's went on");
     for (std::string& notice : feed_.notices()) all.push_back(std::move(notice));
     return all;
   }

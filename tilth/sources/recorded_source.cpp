@@ -1,5 +1,3 @@
-#include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include <tilth/core/error.hpp>
@@ -10,25 +8,11 @@ namespace {
 
 constexpr std::size_t kDecidingScans = 8;
 
-std::string seconds(double value) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.6f s", value);
-  return text;
-}
-
 std::string fields_line(const PointRecords& records) {
   std::string text;
   for (const PointField& field : records.fields)
     text += (text.empty() ? "fields: " : ", ") + field.name + " " + std::string(name_of(field.type));
   return text + "; " + std::to_string(records.stride) + " bytes a point";
-}
-
-/// What keeps a scan out of the order of time, or nothing.
-std::string order_problem(double stamp, const std::optional<double>& last) {
-  if (!std::isfinite(stamp)) return "its stamp is not finite";
-  if (!last || stamp > *last) return "";
-  const std::string before = "stamp " + seconds(stamp) + (stamp == *last ? " repeats" : " lies before");
-  return before + " that of the scan before it" + (stamp == *last ? "" : ", " + seconds(*last));
 }
 
 }  // namespace
@@ -37,24 +21,28 @@ RecordedSource::RecordedSource(RecordReader reader, const RecordingTraits& trait
                                std::optional<std::size_t> size)
     : reader_(std::move(reader)), turns_(traits.times == CloudTimes::none), size_(size) {
   std::vector<StampedRecords> readable;
+  std::vector<StampReading> readings;
   std::string problem;
   while (readable.size() < kDecidingScans) {
     std::optional<RecordedScan> record = reader_();
     if (!record) break;
     if (record->problem.empty())
-      readable.push_back(record->records);
+      readable.push_back(record->records), readings.push_back(reading_of(record->index, record->records));
     else if (problem.empty())
       problem = record->where + ": " + record->problem;
     first_.push_back(std::move(*record));
   }
   if (readable.empty()) throw Error("recording", problem.empty() ? "holds no scan" : "no scan can be read; " + problem);
   contents_.push_back(fields_line(readable.front().records));
-  decoder_.emplace(readable, traits);
+  stamps_.emplace(readings);
+  stamps_->set_stamps(readable);
+  decoder_.emplace(readable, stamps_->traits(traits));
   auto mended = readable.begin();
   for (RecordedScan& record : first_) {
-    if (record.problem.empty()) record.records = std::move(*mended++);
+    if (record.problem.empty()) record.records.records = std::move((mended++)->records);
   }
   decisions_ = std::move(decisions);
+  if (!stamps_->decision().empty()) decisions_.push_back(stamps_->decision());
   decisions_.insert(decisions_.end(), decoder_->decisions().begin(), decoder_->decisions().end());
 }
 
@@ -91,6 +79,7 @@ std::vector<std::string> RecordedSource::notices() const {
   if (ahead_.valid()) ahead_.wait();
   std::vector<std::string> all = reader_notices_ ? reader_notices_() : std::vector<std::string>{};
   for (std::string& notice : decoder_->notices()) all.push_back(std::move(notice));
+  for (std::string& notice : stamps_->notices()) all.push_back(std::move(notice));
   for (std::string& notice : turns_.notices()) all.push_back(std::move(notice));
   return all;
 }
@@ -119,12 +108,13 @@ void RecordedSource::learn_fields(const RecordedScan& record) {
   for (const RecordedScan& next : first_) {
     if (next.problem.empty()) alike.push_back(next.records);
   }
+  stamps_->set_stamps(alike);
   decoder_->learn(alike);
 }
 
 RecordedSource::Outcome RecordedSource::in_order(Scan scan, const Origin& origin) {
-  if (std::string problem = order_problem(scan.stamp, last_stamp_); !problem.empty())
-    return SkippedScan{origin.index, origin.where, std::move(problem)};
+  if (last_stamp_ && !(scan.stamp > *last_stamp_))
+    return SkippedScan{origin.index, origin.where, "its stamp does not lie after that of the scan before it"};
   last_stamp_ = scan.stamp;
   return scan;
 }
@@ -152,26 +142,40 @@ void RecordedSource::hand_out(std::vector<Scan> turns) {
 }
 
 void RecordedSource::read_on() {
-  const std::optional<RecordedScan> record = take();
+  std::optional<RecordedScan> record = take();
   if (!record) {
     ended_ = true;
-    return hand_out(turns_.finish());
+    std::vector<Scan> turns = judged_turns();
+    for (Scan& turn : turns_.finish()) turns.push_back(std::move(turn));
+    return hand_out(std::move(turns));
   }
-  std::vector<Scan> turns;
   std::string problem = record->problem;
   if (problem.empty()) {
     try {
       if (!decoder_->knows(record->records)) learn_fields(*record);
-      turns = turns_.add(decoder_->decode(record->records));
+      const StampReading reading = reading_of(record->index, record->records);
+      record->records.stamp = stamps_->stamp_of(record->records.stamp, record->index);
+      stamps_->add({reading, decoder_->decode(record->records), record->where, ""});
     } catch (const Error& error) {
       problem = error.what();
     }
   }
-  if (problem.empty())
-    read_.emplace_back(Origin{record->index, record->where});
-  else
-    read_.emplace_back(SkippedScan{record->index, record->where, std::move(problem)});
-  hand_out(std::move(turns));
+  if (!problem.empty()) read_.emplace_back(SkippedScan{record->index, record->where, std::move(problem)});
+  hand_out(judged_turns());
+}
+
+/// Of the messages whose stamps can be judged by now.
+std::vector<Scan> RecordedSource::judged_turns() {
+  std::vector<Scan> turns;
+  while (std::optional<StampedMessage> message = stamps_->next(ended_)) {
+    if (!message->left_out.empty()) {
+      read_.emplace_back(SkippedScan{message->reading.scan, message->where, message->left_out});
+      continue;
+    }
+    read_.emplace_back(Origin{message->reading.scan, message->where});
+    for (Scan& turn : turns_.add(std::move(message->scan))) turns.push_back(std::move(turn));
+  }
+  return turns;
 }
 
 RecordedSource::Outcome RecordedSource::decode_next() {

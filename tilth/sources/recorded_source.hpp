@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <tilth/sensor/recording_decoder.hpp>
+#include <tilth/sensor/stamp_stage.hpp>
 #include <tilth/sensor/turn_stage.hpp>
 #include <tilth/sources/scan_source.hpp>
 
@@ -52,6 +53,7 @@ class RecordedSource : public ScanSource {
 
   Outcome decode_next();
   void read_on();
+  std::vector<Scan> judged_turns();
   void hand_out(std::vector<Scan> turns);
   Outcome in_order(Scan scan, const Origin& origin);
   std::optional<RecordedScan> take();
@@ -62,6 +64,7 @@ class RecordedSource : public ScanSource {
   std::function<std::vector<std::string>()> reader_notices_;
   std::deque<RecordedScan> first_;  ///< read for a decision and mended, not decoded yet
   std::optional<RecordingDecoder> decoder_;
+  std::optional<StampStage> stamps_;
   TurnStage turns_;
   std::deque<std::variant<Origin, SkippedScan>> read_;  ///< what went into turns_, or was passed over meanwhile
   std::deque<Outcome> ready_;

@@ -1,16 +1,16 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cstdio>
 #include <numeric>
 #include <optional>
-#include <system_error>
 
 #include <tilth/core/error.hpp>
 #include <tilth/io/file_kind.hpp>
 #include <tilth/io/times_file.hpp>
 #include <tilth/sources/kitti_raw.hpp>
+#include <tilth/sources/listed_times.hpp>
+#include <tilth/sources/name_times.hpp>
 #include <tilth/sources/scan_files.hpp>
 
 namespace tilth {
@@ -32,31 +32,10 @@ std::string_view take_number(std::string_view& text) {
   return number;
 }
 
-/// [s] of one name, if it is a time.
-std::optional<double> time_in(const std::string& name) {
-  const std::size_t point = name.find('.');
-  const std::size_t digits = std::min(point, name.size());
-  const bool plain = std::all_of(name.begin(), name.end(), [](char c) { return is_digit(c) || c == '.'; });
-  if (!plain || digits == 0 || std::count(name.begin(), name.end(), '.') > 1) return std::nullopt;
-  double value = 0.0;
-  if (std::from_chars(name.data(), name.data() + name.size(), value).ec != std::errc{}) return std::nullopt;
-  if (point != std::string::npos && point + 1 < name.size()) return value;
-  switch (digits) {
-    case 13: return value * 1e-3;
-    case 16: return value * 1e-6;
-    case 19: return value * 1e-9;
-    default: return std::nullopt;
-  }
-}
-
-std::optional<std::vector<double>> times_in_names(const std::vector<fs::path>& files) {
-  std::vector<double> times;
-  for (const fs::path& file : files) {
-    const std::optional<double> time = time_in(file.stem().string());
-    if (!time) return std::nullopt;
-    times.push_back(*time);
-  }
-  return times;
+std::vector<std::string> stems_of(const std::vector<fs::path>& files) {
+  std::vector<std::string> stems;
+  for (const fs::path& file : files) stems.push_back(file.stem().string());
+  return stems;
 }
 
 /// In natural order, or in that of the times in their names ("9.5" before "9.25" as numbers of files, after it as
@@ -70,11 +49,11 @@ std::vector<fs::path> scan_files_in(const fs::path& folder) {
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     return natural_less(a.filename().string(), b.filename().string());
   });
-  if (const auto times = times_in_names(files)) {
+  if (const std::optional<NameTimes> named = times_in_names(stems_of(files))) {
+    const std::vector<double>& times = named->times;
     std::vector<std::size_t> order(files.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return (*times)[a] < (*times)[b]; });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
     std::vector<fs::path> by_time;
     for (const std::size_t i : order) by_time.push_back(files[i]);
     return by_time;
@@ -82,28 +61,31 @@ std::vector<fs::path> scan_files_in(const fs::path& folder) {
   return files;
 }
 
-std::optional<ScanStamps> listed_stamps(const std::vector<fs::path>& files) {
-  const fs::path folder = files.front().parent_path();
-  for (const fs::path& list : {folder / "times.txt", folder.parent_path() / "times.txt"}) {
-    if (!fs::is_regular_file(list)) continue;
-    std::vector<double> stamps = read_times(list);
-    if (stamps.size() < files.size()) {
-      throw Error(list.string(),
-                  "has " + std::to_string(stamps.size()) + " times for " + std::to_string(files.size()) + " scans");
-    }
-    std::string decision = "stamps: from " + list.string();
-    if (stamps.size() > files.size())
-      decision += ", the first " + std::to_string(files.size()) + " of " + std::to_string(stamps.size());
-    stamps.resize(files.size());
-    return ScanStamps{std::move(stamps), false, std::move(decision)};
-  }
-  return std::nullopt;
-}
-
 std::string hertz(double rate) {
   char text[32];
   std::snprintf(text, sizeof text, "%g Hz", rate);
   return text;
+}
+
+/// Of `count` scans at `rate` [Hz], or at the usual one where that is 0.
+ScanStamps nominal_stamps(std::size_t count, double rate) {
+  const double hz = rate > 0.0 ? rate : kUsualRate;
+  ScanStamps nominal{{}, rate <= 0.0, (rate > 0.0 ? "the given rate of " : "a nominal rate of ") + hertz(hz)};
+  for (std::size_t i = 0; i < count; ++i) nominal.stamps.push_back(double(i) / hz);
+  return nominal;
+}
+
+std::optional<ScanStamps> listed_stamps(const std::vector<fs::path>& files, double rate) {
+  const fs::path folder = files.front().parent_path();
+  for (const fs::path& list : {folder / "times.txt", folder.parent_path() / "times.txt"}) {
+    if (!fs::is_regular_file(list)) continue;
+    std::optional<ListedTimes> listed = listed_times(read_times(list), stems_of(files), list.string(), rate);
+    if (listed) return ScanStamps{std::move(listed->times), false, "stamps: from " + list.string() + listed->decision};
+    ScanStamps nominal = nominal_stamps(files.size(), rate);
+    nominal.decision = "stamps: " + list.string() + " tells none, its times do not advance, so " + nominal.decision;
+    return nominal;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -149,17 +131,12 @@ std::vector<fs::path> find_scan_files(const fs::path& folder) {
 }
 
 ScanStamps stamps_of(const std::vector<fs::path>& files, double rate) {
-  if (std::optional<ScanStamps> listed = listed_stamps(files)) return *listed;
+  if (std::optional<ScanStamps> listed = listed_stamps(files, rate)) return *listed;
   if (std::optional<ScanStamps> dated = kitti_raw_stamps(files)) return *dated;
-  if (std::optional<std::vector<double>> named = times_in_names(files)) {
-    return {std::move(*named), false, "stamps: from the names of the files"};
-  }
-  const double hz = rate > 0.0 ? rate : kUsualRate;
-  ScanStamps nominal{
-      {}, rate <= 0.0, "stamps: no times.txt and the names are no times, so a nominal rate of " + hertz(hz)};
-  if (rate > 0.0)
-    nominal.decision = "stamps: no times.txt and the names are no times, so the given rate of " + hertz(hz);
-  for (std::size_t i = 0; i < files.size(); ++i) nominal.stamps.push_back(double(i) / hz);
+  if (std::optional<NameTimes> named = times_in_names(stems_of(files)))
+    return {std::move(named->times), false, std::move(named->decision)};
+  ScanStamps nominal = nominal_stamps(files.size(), rate);
+  nominal.decision = "stamps: no times.txt and the names are no times, so " + nominal.decision;
   return nominal;
 }
 

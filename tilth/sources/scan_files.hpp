@@ -24,10 +24,9 @@ struct ScanStamps {
   std::string decision;
 };
 
-/// Stamps from times.txt beside the files or in the folder above, else KITTI's timestamps.txt, else from their names
-/// where those are times (seconds with decimals, or integers of nano-, micro- or milliseconds since 1970), else at
-/// `rate` [Hz] or, where that is 0, 10 Hz. A list longer than the files leaves its tail unused; throws Error where it
-/// is shorter or a line is no number.
+/// Stamps from times.txt beside the files or in the folder above (see listed_times.hpp), else KITTI's timestamps.txt,
+/// else from their names where those are times (see name_times.hpp), else at `rate` [Hz] or, where that is 0, 10 Hz.
+/// Throws Error where the list is much shorter than the files or a line is no number.
 ScanStamps stamps_of(const std::vector<std::filesystem::path>& files, double rate);
 
 }  // namespace tilth

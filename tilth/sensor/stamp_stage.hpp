@@ -1,0 +1,56 @@
+// The stamps of a recording's messages: which clock they come from is decided over the first ones, then each is judged
+// among those before and after it, so that a few messages wait here. O(1) a message beside looking at its bytes once.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tilth/sensor/scan_decoder.hpp>
+#include <tilth/sensor/stamp_origin.hpp>
+#include <tilth/sensor/stamp_repair.hpp>
+
+namespace tilth {
+
+/// A decoded message on its way.
+struct StampedMessage {
+  StampReading reading;
+  Scan scan;
+  std::string where;     ///< it was recorded
+  std::string left_out;  ///< why it is passed over; empty: it is not
+};
+
+/// What is known of the stamp of record `index`.
+StampReading reading_of(std::size_t index, const StampedRecords& records);
+
+class StampStage {
+ public:
+  /// From the first messages of the recording, at least one.
+  explicit StampStage(std::span<const StampReading> first);
+
+  const std::string& decision() const { return decision_; }  ///< empty: the stamps are as recorded
+  RecordingTraits traits(RecordingTraits known) const;       ///< with what the stamps are
+
+  /// The stamp of record `index` on the clock that was decided on; it may still be wrong.
+  CloudStamp stamp_of(const CloudStamp& recorded, std::size_t index) const;
+
+  /// `records`, which follow one another, with the stamps they get.
+  void set_stamps(std::span<StampedRecords> records) const;
+
+  void add(StampedMessage message);  ///< with the reading of its record
+
+  /// The next message in the order of time; nothing while more are needed to judge it. `ended`: there are no more.
+  std::optional<StampedMessage> next(bool ended);
+
+  std::vector<std::string> notices() const { return repair_.findings().sentences(); }
+
+ private:
+  StampOrigin origin_ = StampOrigin::own;
+  std::string decision_;
+  StampRepair repair_;
+  std::deque<StampedMessage> waiting_;
+};
+
+}  // namespace tilth
