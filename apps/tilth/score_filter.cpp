@@ -120,7 +120,8 @@ void add_score_filter(CLI::App& app, int&) {
       ->required();
   add_simulation_option(*command, *arguments, "seed", "Of the scenes and of their noise");
   add_simulation_option(*command, *arguments, "duration", "[s] of the scenes at most");
-  add_simulation_option(*command, *arguments, "sensor", "Of the scenes: leishen_c16, vlp16, hdl32 or hdl64");
+  add_simulation_option(*command, *arguments, "sensor",
+                        "Of the scenes: leishen_c16, vlp16, hdl32, hdl64, quanergy_m8, os1_64, ruby_128 or rosette");
   command->add_option("--every", arguments->every, "Take each n-th scan (50)")->check(CLI::Range(1, 1000000));
   add_settings(*command, arguments->settings, "Options of the filter and the features, listed below");
   command->add_flag("--sweep", arguments->sweep,

@@ -25,6 +25,7 @@ struct LidarModel {
   double range_step = 0.0;             ///< [m] the packets' unit of distance
   double centre_radius = 0.0;          ///< [m] of the optical centre from the axis
   double centre_angle = 0.0;           ///< [rad] by which the optical centre lies behind the beams
+  double rosette_angle = 0.0;          ///< [rad] half the view of one that draws a rosette about +x; 0: it spins
 
   std::size_t rings() const { return elevations.size(); }
 
@@ -33,7 +34,8 @@ struct LidarModel {
     return double(column) * firing_period + firing_offsets[ring];
   }
 
-  /// Unit vector of the beam of `ring`, `time` seconds after the head looked along +x (x forward, y left, z up).
+  /// Unit vector of the beam of `ring`, `time` seconds after the head looked along +x (x forward, y left, z up). A
+  /// rosette is drawn by two wedges that turn against each other, and takes seconds to repeat itself.
   Eigen::Vector3d direction(std::size_t ring, double time) const;
 
   /// [m] the optical centre at that time: ranges count from there.
@@ -47,6 +49,11 @@ LidarModel vlp16();        ///< 16 beams, 2 degrees apart, 55.296 us a firing
 LidarModel hdl32();        ///< 32 beams, 4/3 degrees apart, 46.08 us a firing
 LidarModel hdl64();        ///< 64 beams, 1/3 degree apart above -8.33 degrees, 1/2 below; 48 us a firing
 LidarModel leishen_c16();  ///< 16 beams, 2 degrees apart, 50 us a firing
+
+LidarModel quanergy_m8();  ///< 8 beams, 3 degrees apart, 0.14 degrees a firing
+LidarModel os1_64();       ///< 64 beams, 0.53 degrees apart, 1024 firings a turn, all beams at once
+LidarModel ruby_128();     ///< 128 beams, 0.11 degrees apart in the middle, 0.2 degrees a firing
+LidarModel rosette();      ///< 6 lines side by side, drawn as a rosette of 70 degrees; as Livox sensors do
 
 std::span<const std::string_view> lidar_names();
 LidarModel make_lidar(std::string_view name);  ///< throws Error listing the names

@@ -166,11 +166,10 @@ RingSegments ring_segments(const PointCloud& cloud, const RingLayout& rings, std
   result.ring_begin.assign(1, 0);
   Sightings sightings;
   for (const Ring* ring : by_id) {
-    if (ring != nullptr) {
-      order_ring(cloud, rings, *ring, keep, sightings);
-      measure(sightings, column_step(sightings), options);
-      cut(sightings, rings.mirrored ? -1.0 : 1.0, options, result.segments);
-    }
+    if (ring == nullptr) continue;
+    order_ring(cloud, rings, *ring, keep, sightings);
+    measure(sightings, column_step(sightings), options);
+    cut(sightings, rings.mirrored ? -1.0 : 1.0, options, result.segments);
     result.ring_begin.push_back(std::uint32_t(result.segments.size()));
   }
   return result;

@@ -39,7 +39,7 @@ struct RingSegment {
 /// The segments of all rings, one ring after another.
 struct RingSegments {
   std::vector<RingSegment> segments;      ///< of each ring ascending in azimuth from the x axis on
-  std::vector<std::uint32_t> ring_begin;  ///< rings + 1: where each ring begins, by its number, and the end
+  std::vector<std::uint32_t> ring_begin;  ///< where each ring that has points begins, upwards, and the end
 
   std::size_t rings() const { return ring_begin.empty() ? 0 : ring_begin.size() - 1; }
   std::span<const RingSegment> ring(std::size_t r) const {

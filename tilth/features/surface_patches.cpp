@@ -3,6 +3,7 @@
 
 #include <tilth/core/symmetric_eigen.hpp>
 #include <tilth/features/joined_shapes.hpp>
+#include <tilth/features/neighborhood_patches.hpp>
 #include <tilth/features/plane_misfit.hpp>
 #include <tilth/features/run_columns.hpp>
 #include <tilth/features/surface_patches.hpp>
@@ -166,6 +167,7 @@ class RingFitter {
 
 SurfacePatches surface_patches(const PointCloud& cloud, const RingLayout& layout, std::span<const std::uint8_t> keep,
                                const PatchOptions& options) {
+  if (!cloud.has_rings()) return neighborhood_patches(cloud, keep, options);
   const RingSegments rings = ring_segments(cloud, layout, keep, options.segments);
   SurfacePatches patches;
   patches.reserve(rings.segments.size());

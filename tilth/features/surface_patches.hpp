@@ -33,8 +33,9 @@ void visit(PatchOptions& o, V&& v) {
   v("pole_width", o.pole_width, Bounds{0, 10}, "[m] a run that stands free and is narrower is part of a pole");
 }
 
-/// The patches of a scan, ring by ring; none of a cloud without rings. Runs that no beam beside belongs to are left
-/// out. `rings` is the layout of `cloud`; points whose entry in `keep`, one a point, is zero are passed over.
+/// The patches of a scan, ring by ring; of a cloud without rings from neighbourhoods (neighborhood_patches.hpp). Runs
+/// that no beam beside belongs to are left out. `rings` is the layout of `cloud`; points whose entry in `keep`, one a
+/// point, is zero are passed over.
 SurfacePatches surface_patches(const PointCloud& cloud, const RingLayout& rings, std::span<const std::uint8_t> keep,
                                const PatchOptions& options);
 

@@ -5,6 +5,7 @@
 #include <tilth/odometry/lego_loam.hpp>
 #include <tilth/odometry/lio_sam.hpp>
 #include <tilth/odometry/make_odometry.hpp>
+#include <tilth/odometry/mounted_odometry.hpp>
 #include <tilth/odometry/tilth_odometry.hpp>
 
 namespace tilth {
@@ -54,7 +55,7 @@ std::vector<PipelineInfo> pipelines() {
 }
 
 std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionValues& values) {
-  return find(name).make(values);
+  return std::make_unique<MountedOdometry>(find(name).make(values));
 }
 
 std::vector<OptionInfo> describe_odometry(const std::string& name, const OptionValues& values) {

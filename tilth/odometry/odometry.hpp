@@ -28,7 +28,8 @@ struct OdometryResult {
   /// [rad^2, m^2] of T_world_lidar (right perturbation), drift included, where the pipeline accounts for it
   std::optional<Matrix6d> covariance = {};
   ScanCounts counts;
-  PointCloud filtered;  ///< the scan without outliers, as measured (not deskewed)
+  std::optional<Pose> T_lidar_sensor = {};  ///< where that is mounted whose rings `filtered` has, if not at its origin
+  PointCloud filtered;                      ///< the scan without outliers, as measured (not deskewed)
 };
 
 /// Called with the name of each stage as it begins ("neighbors", "outliers", ...), so that a caller can time them.

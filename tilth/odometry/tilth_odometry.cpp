@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <tilth/odometry/tilth_odometry.hpp>
+#include <tilth/preprocess/cell_support.hpp>
 #include <tilth/preprocess/crop.hpp>
 #include <tilth/preprocess/deskew.hpp>
 
@@ -23,8 +24,7 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   const PointCloud cloud = crop_range(scan.cloud, options_.min_range, options_.max_range);
   begin_stage("outliers");
   arrange(cloud, rings_);
-  const std::vector<std::uint8_t> keep =
-      ring_support(rings_, cloud.size(), options_.outliers).value_or(std::vector<std::uint8_t>(cloud.size(), 1));
+  const std::vector<std::uint8_t> keep = supported(cloud, rings_, options_.outliers);
   PointCloud filtered = select_kept(cloud, keep);
   begin_stage("features");
   const ScanPatches patches{scan.stamp, duration(cloud), surface_patches(cloud, rings_, keep, options_.patches)};

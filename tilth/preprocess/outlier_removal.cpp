@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <tilth/preprocess/adapted_threshold.hpp>
+#include <tilth/preprocess/cell_support.hpp>
 #include <tilth/preprocess/neighbor_distances.hpp>
 #include <tilth/preprocess/outlier_removal.hpp>
 
@@ -62,6 +63,7 @@ const std::vector<std::uint8_t>& OutlierFilter::keep(const PointCloud& cloud, co
   if (is_by_support()) {
     if (auto supported = ring_support(rings, cloud.size(), options_.support)) return keep_ = std::move(*supported);
   }
+  if (is_by_support() && !cloud.has_rings()) return keep_ = cell_support(cloud);
   keep_.assign(cloud.size(), 1);
   if (options_.method == OutlierMethod::none) return keep_;
   const NeighborTable& neighbors = neighbors_.compute(cloud, std::size_t(options_.k));

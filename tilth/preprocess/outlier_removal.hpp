@@ -43,7 +43,8 @@ struct OutlierOptions {
 template <class V>
 void visit(OutlierOptions& o, V&& v) {
   v("method", o.method,
-    "[-] support: by the beams beside a point (clouds without rings: weighted); weighted: distances weighted and "
+    "[-] support: by the beams beside a point (clouds without rings: by company in a cell); weighted: distances "
+    "weighted and "
     "threshold adapted to density; plain: mean + alpha sigma, as PCL");
   v("k", o.k, Bounds{2, 64}, "[points] nearest neighbours of each point");
   v("alpha", o.alpha, Bounds{0, 100}, "[-] width of the threshold in standard deviations");

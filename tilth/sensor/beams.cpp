@@ -10,35 +10,39 @@ namespace tilth {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kBin = 0.02 * kDegree;
-constexpr std::array kSmoothings{0.4 * kDegree, 0.2 * kDegree, 0.1 * kDegree,
-                                 0.05 * kDegree};  ///< sigma, coarsest first
-constexpr double kValley = 0.6;                    ///< of the lower peak: a shallower valley parts no beams
-constexpr double kSmallestRatio = 5e-4;            ///< of all points on a beam
-constexpr double kLargestSpread = 0.15;            ///< rms distance from the beam over the spacing; 0.29 without beams
-constexpr double kClearRatio = 0.95;               ///< of the points on narrow beams: as good as it gets
-constexpr double kLeastRatio = 0.8;                ///< where the lowest beams blur on near ground
+/// Of a histogram: the width of a bin and the sigma of its smoothing [rad].
+struct Resolution {
+  double bin, sigma;
+};
+constexpr std::array kResolutions{Resolution{0.02 * kDegree, 0.4 * kDegree}, Resolution{0.02 * kDegree, 0.2 * kDegree},
+                                  Resolution{0.02 * kDegree, 0.1 * kDegree}, Resolution{0.02 * kDegree, 0.05 * kDegree},
+                                  Resolution{0.005 * kDegree, 0.02 * kDegree}};  ///< coarsest first
+constexpr double kValley = 0.6;          ///< of the lower peak: a shallower valley parts no beams
+constexpr double kSmallestRatio = 5e-4;  ///< of all points on a beam
+constexpr double kLargestSpread = 0.15;  ///< rms distance from the beam over the spacing; 0.29 without beams
+constexpr double kClearRatio = 0.95;     ///< of the points on narrow beams: as good as it gets
+constexpr double kLeastRatio = 0.8;      ///< where the lowest beams blur on near ground
 constexpr std::size_t kFewestBeams = 8, kMostBeams = 128;
 
 struct Histogram {
-  double lowest = 0.0;
+  double lowest = 0.0, width = 0.0;  ///< [rad] of the first bin, of each
   std::vector<double> counts;
-  double centre(std::size_t bin) const { return lowest + (double(bin) + 0.5) * kBin; }
+  double centre(std::size_t bin) const { return lowest + (double(bin) + 0.5) * width; }
 };
 
-Histogram histogram(std::span<const double> elevations) {
+Histogram histogram(std::span<const double> elevations, double width) {
   const auto [low, high] = std::minmax_element(elevations.begin(), elevations.end());
-  Histogram h{*low - 50 * kBin, {}};
-  h.counts.resize(std::size_t((*high - *low) / kBin) + 101, 0.0);
-  for (const double e : elevations) h.counts[std::size_t((e - h.lowest) / kBin)] += 1.0;
+  Histogram h{*low - 50 * width, width, {}};
+  h.counts.resize(std::size_t((*high - *low) / width) + 101, 0.0);
+  for (const double e : elevations) h.counts[std::size_t((e - h.lowest) / width)] += 1.0;
   return h;
 }
 
 Histogram smoothed(const Histogram& h, double sigma) {
-  const int reach = int(3.0 * sigma / kBin);
+  const int reach = int(3.0 * sigma / h.width);
   std::vector<double> kernel;
-  for (int k = -reach; k <= reach; ++k) kernel.push_back(std::exp(-0.5 * std::pow(k * kBin / sigma, 2)));
-  Histogram out{h.lowest, std::vector<double>(h.counts.size(), 0.0)};
+  for (int k = -reach; k <= reach; ++k) kernel.push_back(std::exp(-0.5 * std::pow(k * h.width / sigma, 2)));
+  Histogram out{h.lowest, h.width, std::vector<double>(h.counts.size(), 0.0)};
   for (std::size_t i = 0; i < h.counts.size(); ++i) {
     if (h.counts[i] == 0.0) continue;
     for (int k = -reach; k <= reach; ++k) {
@@ -68,18 +72,10 @@ std::vector<std::size_t> peaks(const Histogram& h) {
   return found;
 }
 
-std::size_t nearest(std::span<const double> sorted, double value) {
-  const auto above = std::lower_bound(sorted.begin(), sorted.end(), value);
-  if (above == sorted.begin()) return 0;
-  if (above == sorted.end()) return sorted.size() - 1;
-  const std::size_t i = std::size_t(above - sorted.begin());
-  return value - sorted[i - 1] <= sorted[i] - value ? i - 1 : i;
-}
-
 /// Centres with points enough to be beams.
 std::vector<double> frequent(std::span<const double> elevations, std::span<const double> centres) {
   std::vector<std::size_t> count(centres.size(), 0);
-  for (const double e : elevations) ++count[nearest(centres, e)];
+  for (const double e : elevations) ++count[nearest_beam(centres, e)];
   const double least = std::max(10.0, kSmallestRatio * double(elevations.size()));
   std::vector<double> beams;
   for (std::size_t b = 0; b < centres.size(); ++b) {
@@ -93,15 +89,13 @@ double ratio_on_narrow_beams(std::span<const double> elevations, std::span<const
   std::vector<double> squares(beams.size(), 0.0);
   std::vector<std::size_t> count(beams.size(), 0);
   for (const double e : elevations) {
-    const std::size_t b = nearest(beams, e);
+    const std::size_t b = nearest_beam(beams, e);
     squares[b] += (e - beams[b]) * (e - beams[b]);
     ++count[b];
   }
   std::size_t narrow = 0;
   for (std::size_t b = 0; b < beams.size(); ++b) {
-    const double below = b > 0 ? beams[b] - beams[b - 1] : beams[b + 1] - beams[b];
-    const double above = b + 1 < beams.size() ? beams[b + 1] - beams[b] : below;
-    if (std::sqrt(squares[b] / double(count[b])) < kLargestSpread * std::min(below, above)) narrow += count[b];
+    if (std::sqrt(squares[b] / double(count[b])) < kLargestSpread * spacing_at(beams, b)) narrow += count[b];
   }
   return double(narrow) / double(elevations.size());
 }
@@ -112,13 +106,26 @@ double elevation_of(const Eigen::Vector3d& point) {
   return std::atan2(point.z(), point.head<2>().norm());
 }
 
+std::size_t nearest_beam(std::span<const double> beams, double elevation) {
+  const auto above = std::lower_bound(beams.begin(), beams.end(), elevation);
+  if (above == beams.begin()) return 0;
+  if (above == beams.end()) return beams.size() - 1;
+  const std::size_t i = std::size_t(above - beams.begin());
+  return elevation - beams[i - 1] <= beams[i] - elevation ? i - 1 : i;
+}
+
+double spacing_at(std::span<const double> beams, std::size_t beam) {
+  const double below = beam > 0 ? beams[beam] - beams[beam - 1] : beams[beam + 1] - beams[beam];
+  const double above = beam + 1 < beams.size() ? beams[beam + 1] - beams[beam] : below;
+  return std::min(below, above);
+}
+
 std::vector<double> find_beams(std::span<const double> elevations) {
   if (elevations.size() < kFewestBeams * 10) return {};
-  const Histogram raw = histogram(elevations);
   std::vector<double> best;
   double best_ratio = kLeastRatio;
-  for (const double sigma : kSmoothings) {
-    const Histogram h = smoothed(raw, sigma);
+  for (const auto [bin_width, sigma] : kResolutions) {
+    const Histogram h = smoothed(histogram(elevations, bin_width), sigma);
     std::vector<double> centres;
     for (const std::size_t bin : peaks(h)) centres.push_back(h.centre(bin));
     const std::vector<double> beams = frequent(elevations, centres);
@@ -137,12 +144,12 @@ std::vector<std::uint16_t> nearest_beams(std::span<const Eigen::Vector3d> points
   assert(!beams.empty());
   std::vector<double> borders;  // tangents: one division a point and no arctangent
   for (std::size_t b = 1; b < beams.size(); ++b) borders.push_back(std::tan(0.5 * (beams[b - 1] + beams[b])));
-  std::vector<std::uint16_t> nearest_beam(points.size());
+  std::vector<std::uint16_t> nearest(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double slope = points[i].z() / points[i].head<2>().norm();
-    nearest_beam[i] = std::uint16_t(std::upper_bound(borders.begin(), borders.end(), slope) - borders.begin());
+    nearest[i] = std::uint16_t(std::upper_bound(borders.begin(), borders.end(), slope) - borders.begin());
   }
-  return nearest_beam;
+  return nearest;
 }
 
 }  // namespace tilth

@@ -1,11 +1,15 @@
 // Which beam a point comes from: the ring field brought to 0 = lowest, else worked out from elevation or from the order
-// of storage. Decided over the first scans and then kept.
+// of storage. Where the clouds are not in the sensor's own frame, it is looked for in the points. Decided over the
+// first scans and then kept.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include <tilth/sensor/point_fields.hpp>
 
@@ -20,6 +24,9 @@ class RingConvention {
   /// rings).
   std::vector<std::uint16_t> rings_of(const MeasuredPoints& scan) const;
 
+  /// How the sensor is mounted in the frame of the clouds, where that is not its own.
+  const std::optional<Eigen::Isometry3d>& T_cloud_sensor() const { return T_cloud_sensor_; }
+
   const std::string& decision() const { return decision_; }
 
  private:
@@ -31,6 +38,7 @@ class RingConvention {
   std::vector<std::uint16_t> rings_by_row(const MeasuredPoints& scan) const;
 
   From from_ = From::nothing;
+  std::optional<Eigen::Isometry3d> T_cloud_sensor_;
   std::vector<std::uint16_t> ring_of_value_;  ///< by value of the ring field; empty: the value is the ring
   std::vector<double> beams_;                 ///< [rad] ascending
   std::string decision_;

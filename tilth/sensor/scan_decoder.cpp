@@ -10,6 +10,7 @@
 #include <tilth/sensor/firing_cycle.hpp>
 #include <tilth/sensor/firing_order.hpp>
 #include <tilth/sensor/scan_decoder.hpp>
+#include <tilth/sensor/sensor_mount.hpp>
 #include <tilth/sensor/spin.hpp>
 
 namespace tilth {
@@ -110,7 +111,7 @@ void ScanDecoder::decide_spin(std::span<const MeasuredPoints> scans, std::span<c
   std::vector<HeadRotation> rotations;
   std::vector<double> rotation_stamps;
   for (std::size_t k = 0; k < scans.size(); ++k) {
-    std::optional<HeadRotation> rotation = find_head_rotation(scans[k].points, rings_->rings_of(scans[k]));
+    std::optional<HeadRotation> rotation = rotation_of(scans[k].points, rings_->rings_of(scans[k]));
     if (!rotation) continue;
     rotations.push_back(std::move(*rotation));
     rotation_stamps.push_back(stamps[k].stamp);
@@ -125,17 +126,28 @@ void ScanDecoder::decide_spin(std::span<const MeasuredPoints> scans, std::span<c
     return;
   }
   const SpinDecision spin = measure_spin(rotations, rotation_stamps, traits.nominal_stamps,
-                                         column_step(scans.front().points, rings_->rings_of(scans.front())));
+                                         column_step(in_sensor(scans.front().points), rings_->rings_of(scans.front())));
   spin_period_ = spin.period;
   cut_ = spin.cut;
   clockwise_ = rotations.front().clockwise;
   decisions_.push_back(spin.sentence);
 }
 
+std::vector<Eigen::Vector3d> ScanDecoder::in_sensor(std::span<const Eigen::Vector3d> points) const {
+  const std::optional<Eigen::Isometry3d>& T_cloud_sensor = rings_->T_cloud_sensor();
+  return T_cloud_sensor ? in_sensor_frame(points, *T_cloud_sensor) : std::vector(points.begin(), points.end());
+}
+
+std::optional<HeadRotation> ScanDecoder::rotation_of(std::span<const Eigen::Vector3d> points,
+                                                     std::span<const std::uint16_t> rings) const {
+  return rings_->T_cloud_sensor() ? find_head_rotation(in_sensor(points), rings) : find_head_rotation(points, rings);
+}
+
 Scan ScanDecoder::decode(const StampedRecords& stamped) const {
   MeasuredPoints measured = measured_points(stamped.records, roles_of(stamped.records));
   Scan scan;
   scan.stamp = stamped.stamp.stamp;
+  scan.T_cloud_sensor = rings_->T_cloud_sensor();
   scan.cloud.rings = rings_->rings_of(measured);
   scan.cloud.intensities = std::move(measured.intensities);
   set_times(measured, stamped.stamp.stamp, scan);
@@ -145,13 +157,13 @@ Scan ScanDecoder::decode(const StampedRecords& stamped) const {
 /// Times by the order of firing; where the points are too few or in another order, by their azimuth since a fixed cut.
 void ScanDecoder::derive_times(std::span<const Eigen::Vector3d> points, Scan& scan) const {
   std::vector<double> times;
-  if (const std::optional<HeadRotation> rotation = find_head_rotation(points, scan.cloud.rings)) {
+  if (const std::optional<HeadRotation> rotation = rotation_of(points, scan.cloud.rings)) {
     const double rate = *spin_period_ / (2 * std::numbers::pi);
     if (cut_ && !end_stamps_) scan.stamp += delay_of_first(*rotation, *cut_, *spin_period_);
     for (const double angle : rotation->progress) times.push_back(angle * rate);
     if (end_stamps_) scan.stamp -= rotation->covered() * rate;
   } else if (cut_) {
-    times = times_by_azimuth(points, {*cut_, *spin_period_, clockwise_});
+    times = times_by_azimuth(in_sensor(points), {*cut_, *spin_period_, clockwise_});
     const double first = *std::min_element(times.begin(), times.end());
     for (double& time : times) time -= first;
     scan.stamp += end_stamps_ ? first - *spin_period_ : first;

@@ -10,6 +10,7 @@
 
 #include <tilth/core/options.hpp>
 #include <tilth/core/scan.hpp>
+#include <tilth/sensor/firing_order.hpp>
 #include <tilth/sensor/length_unit.hpp>
 #include <tilth/sensor/ring_convention.hpp>
 #include <tilth/sensor/time_convention.hpp>
@@ -65,6 +66,10 @@ class ScanDecoder {
                     const std::optional<PointField>& field, const RecordingTraits& traits);
   void decide_spin(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,
                    const RecordingTraits& traits);
+  /// As the sensor sees them, where the cloud is in another frame.
+  std::vector<Eigen::Vector3d> in_sensor(std::span<const Eigen::Vector3d> points) const;
+  std::optional<HeadRotation> rotation_of(std::span<const Eigen::Vector3d> points,
+                                          std::span<const std::uint16_t> rings) const;
   void derive_times(std::span<const Eigen::Vector3d> points, Scan& scan) const;
   void set_times(MeasuredPoints& measured, double stamp, Scan& scan) const;
 

@@ -45,7 +45,8 @@ Beam aim(const Setting& s, PoseTrack& track, std::size_t column, std::size_t slo
   const std::size_t ring = s.ring_order[slot];
   const double fired = s.options.snapshot ? 0 : s.lidar.time_of(column, ring);
   const double turned = s.options.snapshot ? double(column) * s.lidar.period / double(s.lidar.columns) : fired;
-  const Eigen::Vector3d origin = s.lidar.origin(turned), direction = s.lidar.direction(ring, turned);
+  const double drawn = s.lidar.rosette_angle > 0 ? s.key.stamp + turned : turned;  // a rosette goes on over the scans
+  const Eigen::Vector3d origin = s.lidar.origin(turned), direction = s.lidar.direction(ring, drawn);
   const Pose T_world_lidar = track.at(s.key.stamp + fired);
   return {ring,
           fired,

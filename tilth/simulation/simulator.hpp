@@ -24,7 +24,7 @@ struct SimulationOptions {
 /// All keys in one flat list, as the command line and sim:// take them.
 template <class V>
 void visit(SimulationOptions& o, V&& v) {
-  v("sensor", o.sensor, "[-] leishen_c16, vlp16, hdl32 or hdl64");
+  v("sensor", o.sensor, "[-] leishen_c16, vlp16, hdl32, hdl64, quanergy_m8, os1_64, ruby_128 or rosette");
   v("columns", o.columns, Bounds{0, 20000}, "[-] firings a turn, evenly spread; 0: as the sensor does");
   visit(o.scene, v);
   visit(o.path, v);

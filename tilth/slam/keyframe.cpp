@@ -1,5 +1,6 @@
 #include <numbers>
 
+#include <tilth/core/symmetric3.hpp>
 #include <tilth/preprocess/deskew.hpp>
 #include <tilth/slam/keyframe.hpp>
 
@@ -15,6 +16,19 @@ SurfacePatches thinned(SurfacePatches patches, std::size_t most) {
   return patches;
 }
 
+/// The patches of a scan without outliers, in the frame of its cloud.
+SurfacePatches patches_of(const OdometryResult& result, const PatchOptions& options) {
+  if (!result.T_lidar_sensor) return surface_patches(result.filtered, options);
+  const Pose& T_lidar_sensor = *result.T_lidar_sensor;
+  SurfacePatches patches = surface_patches(transform(result.filtered, T_lidar_sensor.inverse()), options);
+  for (SurfacePatch& patch : patches) {
+    patch.mean = T_lidar_sensor * patch.mean;
+    patch.covariance = rotated(T_lidar_sensor.linear(), patch.covariance).matrix();
+    patch.normal = T_lidar_sensor.linear() * patch.normal;
+  }
+  return patches;
+}
+
 }  // namespace
 
 bool is_keyframe(const Pose& T_last_now, const KeyframeOptions& options) {
@@ -24,9 +38,8 @@ bool is_keyframe(const Pose& T_last_now, const KeyframeOptions& options) {
 
 Keyframe make_keyframe(const OdometryResult& result, double scan_stamp, const KeyframeOptions& options) {
   Keyframe keyframe{.stamp = result.stamp, .T_odometry_lidar = result.T_world_lidar};
-  keyframe.patches =
-      deskew(thinned(surface_patches(result.filtered, options.patches), std::size_t(options.max_patches)),
-             result.motion, result.stamp - scan_stamp);
+  keyframe.patches = deskew(thinned(patches_of(result, options.patches), std::size_t(options.max_patches)),
+                            result.motion, result.stamp - scan_stamp);
   keyframe.context = describe_place(result.filtered, options.context);
   return keyframe;
 }
