@@ -13,6 +13,7 @@
 #include <tilth/core/error.hpp>
 #include <tilth/odometry/continued_odometry.hpp>
 #include <tilth/run/journal_sink.hpp>
+#include <tilth/run/track_record.hpp>
 #include <tilth/sources/live_source.hpp>
 
 namespace tilth::app {
@@ -126,7 +127,8 @@ int live(const LiveArguments& a) {
   const RunEnd end = run_session(session, a.run);
   session.record().ended = reason(end, enough());
   const bool whole = end_session(session, a.run, plan, console);
-  return whole && session.record().trajectory.size() > before ? 0 : 1;
+  if (!whole || session.record().trajectory.size() == before) return 1;
+  return was_lost(session.record().scans) ? kTrackLostExit : 0;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "truth_flags.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/evaluation/evaluate.hpp>
+#include <tilth/run/track_record.hpp>
 #include <tilth/run/truth_file.hpp>
 #include <tilth/sources/open_source.hpp>
 
@@ -38,9 +39,10 @@ std::vector<std::string> judge_by(const TruthFile& truth, RunRecord& record) {
   return {};
 }
 
-int exit_code_of(RunEnd end, bool strict) {
+int exit_code_of(RunEnd end, bool lost, bool strict) {
   if (end == RunEnd::interrupted) return signal_exit_code();
-  return end == RunEnd::bad_record || (end == RunEnd::input_broken && strict) ? 1 : 0;
+  if (end == RunEnd::bad_record || ((end == RunEnd::input_broken || lost) && strict)) return 1;
+  return lost ? kTrackLostExit : 0;
 }
 
 int run(const RecordingArguments& a) {
@@ -63,7 +65,7 @@ int run(const RecordingArguments& a) {
   std::vector<std::string> failures;
   if (truth) failures = judge_by(*truth, session.record());
   const bool whole = end_session(session, a.run, plan, console, std::move(failures));
-  return whole ? exit_code_of(end, a.run.session.strict) : 1;
+  return whole ? exit_code_of(end, was_lost(record.scans), a.run.session.strict) : 1;
 }
 
 void add_input_options(CLI::App& command, RecordingArguments& a) {

@@ -4,6 +4,7 @@
 
 #include <tilth/run/evaluation_report.hpp>
 #include <tilth/run/summary_json.hpp>
+#include <tilth/run/track_record.hpp>
 
 namespace tilth::app {
 namespace {
@@ -44,6 +45,7 @@ std::string speed_line(const RunFigures& figures, double megabytes) {
 void report_run(const RunRecord& record, const std::string& folder, const std::vector<std::string>& files,
                 Console& console) {
   const RunFigures figures = figures_of(record);
+  if (was_lost(record.scans)) console.error(loss_sentence(record.scans));
   console.note("ended: " + record.ended);
   console.note(counts_line(record));
   console.note(path_line(figures));

@@ -11,6 +11,9 @@
 
 namespace tilth::app {
 
+/// Exit code of a run that came to its end, though its track was lost on the way.
+constexpr int kTrackLostExit = 3;
+
 struct RunArguments {
   std::string source, out;
   OptionArguments options;

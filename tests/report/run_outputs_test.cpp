@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <tilth/odometry/make_odometry.hpp>
+#include <tilth/report/html_report.hpp>
 #include <tilth/report/run_outputs.hpp>
+#include <tilth/report/run_report.hpp>
 #include <tilth/run/session.hpp>
 
 namespace tilth {
@@ -59,6 +61,13 @@ TEST(RunOutputs, OfLoopClosureAreRefusedWithoutIt) {
   const std::vector<std::string> failures = written(folder, run_outputs({}, {}, true), sample_record());
   ASSERT_EQ(failures.size(), 3U);
   for (const std::string& failure : failures) EXPECT_NE(failure.find("no loop closure"), std::string::npos) << failure;
+}
+
+TEST(RunReport, BeginsWithATrackThatWasLost) {
+  EXPECT_EQ(report_of(sample_record(), 0).alarm, "");
+  EXPECT_NE(report_of(lost_record(), 0).alarm.find("lost from 1.000 s"), std::string::npos);
+  EXPECT_NE(html_report(report_of(lost_record(), 0)).find("class=\"alarm\""), std::string::npos);
+  EXPECT_EQ(html_report(report_of(sample_record(), 0)).find("class=\"alarm\""), std::string::npos);
 }
 
 }  // namespace

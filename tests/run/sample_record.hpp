@@ -39,4 +39,13 @@ inline RunRecord looped_record() {
   return record;
 }
 
+/// The same, lost in its last two scans.
+inline RunRecord lost_record() {
+  RunRecord record = sample_record();
+  record.scans.rows[1].track = {TrackState::coasting, TrackReason::too_few_matches};
+  record.scans.rows[2].track = {TrackState::lost, TrackReason::poor_fit};
+  record.scans.rows[3].track = {TrackState::lost, TrackReason::poor_fit};
+  return record;
+}
+
 }  // namespace tilth

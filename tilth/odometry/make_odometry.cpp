@@ -2,6 +2,7 @@
 
 #include <tilth/odometry/floam.hpp>
 #include <tilth/odometry/improved_floam.hpp>
+#include <tilth/odometry/judged_odometry.hpp>
 #include <tilth/odometry/lego_loam.hpp>
 #include <tilth/odometry/lio_sam.hpp>
 #include <tilth/odometry/make_odometry.hpp>
@@ -55,7 +56,7 @@ std::vector<PipelineInfo> pipelines() {
 }
 
 std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionValues& values) {
-  return std::make_unique<MountedOdometry>(find(name).make(values));
+  return std::make_unique<JudgedOdometry>(std::make_unique<MountedOdometry>(find(name).make(values)));
 }
 
 std::vector<OptionInfo> describe_odometry(const std::string& name, const OptionValues& values) {

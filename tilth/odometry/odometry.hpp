@@ -9,6 +9,7 @@
 #include <tilth/core/scan.hpp>
 #include <tilth/core/scan_motion.hpp>
 #include <tilth/core/se3.hpp>
+#include <tilth/core/track_state.hpp>
 #include <tilth/registration/align_result.hpp>
 
 namespace tilth {
@@ -27,6 +28,10 @@ struct OdometryResult {
   AlignResult alignment;                  ///< of the registration that gave the pose
   /// [rad^2, m^2] of T_world_lidar (right perturbation), drift included, where the pipeline accounts for it
   std::optional<Matrix6d> covariance = {};
+  bool ambiguous = false;  ///< another motion fits as well as the one that was taken
+  bool in_map = true;      ///< later scans are registered to this one as well
+  bool relative = false;   ///< to a map that was begun after a loss, where the pose was thought to be
+  Track track;             ///< of odometries that make_odometry() made
   ScanCounts counts;
   std::optional<Pose> T_lidar_sensor = {};  ///< where that is mounted whose rings `filtered` has, if not at its origin
   PointCloud filtered;                      ///< the scan without outliers, as measured (not deskewed)

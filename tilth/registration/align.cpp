@@ -84,6 +84,7 @@ Vector6d arc_scale(const LinearSystem& system) {
 
 void diagnose(const LinearSystem& system, double degeneracy_ratio, AlignResult& result) {
   result.matches = system.matches;
+  result.weight = system.weight;
   result.error = system.error;
   result.information = system.H;
   const Vector6d scale = arc_scale(system);

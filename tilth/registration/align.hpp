@@ -67,6 +67,7 @@ struct LinearSystem {
   Matrix6d H = Matrix6d::Zero();
   Vector6d b = Vector6d::Zero();
   double error = 0.0;          ///< 1/2 sum of weighted squared residuals
+  double weight = 0.0;         ///< sum of the kernel's weights
   double squared_range = 0.0;  ///< [m^2] sum over the source points
   std::size_t matches = 0;
 };
@@ -105,6 +106,7 @@ void accumulate(LinearSystem& system, std::span<const R> residuals, const Pose& 
     const double w = kernel.weight(terms.squared);
     sums.add(w * terms.information, R_target_source * r.source, w * terms.gradient);
     system.error += 0.5 * w * terms.squared;
+    system.weight += w;
     system.squared_range += r.source.squaredNorm();
   }
   add_to(system, sums, R_target_source);

@@ -11,6 +11,7 @@ struct AlignResult {
   int iterations = 0;
   std::size_t candidates = 0;  ///< source points that were looked up
   std::size_t matches = 0;     ///< pairs that passed the pre-check in the last iteration
+  double weight = 0.0;         ///< sum of the kernel's weights over the matches: as many of them agree
   double error = 0.0;          ///< 1/2 sum of weighted squared residuals at the end
   /// H = J^T J of the last iteration, in the source frame (right perturbation)
   Matrix6d information = Matrix6d::Zero();

@@ -16,7 +16,7 @@ using Triangle = Eigen::Array<double, 24, 1>;
 struct SegmentSums {
   Triangle H = Triangle::Zero(), H1 = Triangle::Zero(), H2 = Triangle::Zero();
   Vector6d b = Vector6d::Zero(), b1 = Vector6d::Zero();
-  double error = 0, squared_range = 0;
+  double error = 0, weight = 0, squared_range = 0;
 
   void add(const Triangle& h, const Vector6d& g, double lever) {
     H += h;
@@ -50,6 +50,7 @@ void add(const FlatPair& pair, const RobustKernel& kernel, SegmentSums& sums) {
   const Vector6d J = jacobian_of(pair), wJ = w * J;
   sums.add(upper([&](int i, int j) { return wJ[i] * J[j]; }), pair.residual * wJ, pair.lever);
   sums.error += 0.5 * weight * squared;
+  sums.weight += weight;
   sums.squared_range += pair.point.squaredNorm();
 }
 
@@ -62,6 +63,7 @@ void add(const ShapePair& pair, const Pose& T, const RobustKernel& kernel, Segme
   const Matrix6d H = Jt * J;
   sums.add(upper(H), Jt * pair.offset_in_map, pair.lever);
   sums.error += 0.5 * weight * squared;
+  sums.weight += weight;
   sums.squared_range += pair.point.squaredNorm();
 }
 
@@ -87,7 +89,7 @@ std::size_t part_of(double lever, const MotionInScan& motion) {
 ContinuousTimeSystem system_of(const PartSums& part) {
   const SegmentSums& sums = part.sums;
   ContinuousTimeSystem system;
-  system.pose = {whole(sums.H), sums.b, sums.error, sums.squared_range, part.matches};
+  system.pose = {whole(sums.H), sums.b, sums.error, sums.weight, sums.squared_range, part.matches};
   const Matrix6d H1 = whole(sums.H1);
   system.H << system.pose.H, H1, H1, whole(sums.H2);
   system.b << sums.b, sums.b1;
@@ -120,6 +122,7 @@ ContinuousTimeSystem sum_of(const SegmentSystems& parts) {
     sum.pose.H += part.pose.H;
     sum.pose.b += part.pose.b;
     sum.pose.error += part.pose.error;
+    sum.pose.weight += part.pose.weight;
     sum.pose.squared_range += part.pose.squared_range;
     sum.pose.matches += part.pose.matches;
     sum.H += part.H;

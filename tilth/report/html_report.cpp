@@ -50,8 +50,9 @@ std::string section_html(const Section& section) {
 }
 
 std::string header_html(const Report& report) {
-  std::string html =
-      "<header>" + element("h1", report.title) + element("p", report.subtitle) + "\n<dl class=\"facts\">";
+  std::string html = "<header>";
+  if (!report.alarm.empty()) html += "<p class=\"alarm\" role=\"alert\">" + markup_text(report.alarm) + "</p>\n";
+  html += element("h1", report.title) + element("p", report.subtitle) + "\n<dl class=\"facts\">";
   for (const Fact& fact : report.facts) {
     html += "<div>" + element("dt", fact.name) + element("dd", fact.value) + "</div>";
   }

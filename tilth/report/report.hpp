@@ -30,6 +30,7 @@ struct Fact {
 
 struct Report {
   std::string title, subtitle;
+  std::string alarm;               ///< what must be read first, in red; empty: nothing
   std::vector<Fact> facts;         ///< the few figures at the top
   std::vector<std::string> notes;  ///< sentences below them: what the figures are, what failed
   std::optional<MapView> map;

@@ -5,6 +5,7 @@
 #include <tilth/report/run_sections.hpp>
 #include <tilth/run/evaluation_report.hpp>
 #include <tilth/run/summary_json.hpp>
+#include <tilth/run/track_record.hpp>
 
 namespace tilth {
 namespace {
@@ -60,6 +61,7 @@ Report report_of(const RunRecord& record, std::size_t map_points) {
   Report report;
   report.title = last_part(record.source);
   report.subtitle = "Trajectory and map by the pipeline " + record.pipeline + " of Tilth " + record.version;
+  report.alarm = loss_sentence(record.scans);
   report.facts = facts_of(record, judged_run);
   if (judged_run) report.notes = notices_of(judged_run->aligned);
   report.map =

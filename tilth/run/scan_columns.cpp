@@ -6,6 +6,11 @@
 #include <tilth/run/scan_columns.hpp>
 
 namespace tilth {
+namespace {
+
+constexpr std::string_view kWords = "track";  // column that holds no numbers
+
+}  // namespace
 
 ScanColumns read_scan_columns(const std::filesystem::path& path) {
   const std::vector<std::byte> bytes = read_file(path);
@@ -23,13 +28,16 @@ ScanColumns read_scan_columns(const std::filesystem::path& path) {
                   "has " + std::to_string(cells.size()) + " columns, the header " + std::to_string(names.size()));
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (names[i] == kWords) continue;
       const std::optional<double> value = to_double(cells[i]);
       if (!value) throw Error(lines.where(path.string()), names[i] + " is no number");
       values[i].push_back(*value);
     }
   }
   ScanColumns columns;
-  for (std::size_t i = 0; i < names.size(); ++i) columns[names[i]] = std::move(values[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] != kWords) columns[names[i]] = std::move(values[i]);
+  }
   return columns;
 }
 

@@ -11,8 +11,8 @@ constexpr int kStampDecimals = 9;
 constexpr int kDigits = 9;
 
 void write_header(std::ostream& out, const std::vector<std::string>& stages) {
-  out << "index,stamp,points_read,points_in,outliers,edges,planes,candidates,matches,iterations,converged,error,"
-         "degenerate_directions,var_rx,var_ry,var_rz,var_tx,var_ty,var_tz,ms_read,ms_register,ms_build_map,"
+  out << "index,stamp,points_read,points_in,outliers,edges,planes,candidates,matches,weight,iterations,converged,error,"
+         "degenerate_directions,track,var_rx,var_ry,var_rz,var_tx,var_ty,var_tz,ms_read,ms_register,ms_build_map,"
          "cpu_ms_register";
   for (const std::string& stage : stages) out << ",ms_" << stage;
   out << '\n';
@@ -25,7 +25,8 @@ void write_row(std::ostream& out, const ScanRow& row, std::size_t index, std::si
        {row.points_read, row.points_in, row.outliers, row.edges, row.planes, row.candidates, row.matches}) {
     out << ',' << count;
   }
-  out << ',' << row.iterations << ',' << int(row.converged) << ',' << row.error << ',' << row.degenerate_directions;
+  out << ',' << row.weight << ',' << row.iterations << ',' << int(row.converged) << ',' << row.error << ','
+      << row.degenerate_directions << ',' << names_of(row.track.state)[std::size_t(row.track.state)];
   for (const double variance : row.variances) out << ',' << variance;
   out << std::fixed << std::setprecision(4);
   for (const double ms : {row.read_ms, row.register_ms, row.map_ms, row.register_cpu_ms}) out << ',' << ms;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <tilth/core/se3.hpp>
+#include <tilth/core/track_state.hpp>
 
 namespace tilth {
 
@@ -16,8 +17,10 @@ struct ScanRow {
   std::size_t candidates = 0, matches = 0;
   int iterations = 0;
   bool converged = false;
+  double weight = 0.0;  ///< of the matches, by the robust kernel
   double error = 0.0;
   int degenerate_directions = 0;
+  Track track;
   Vector6d variances = Vector6d::Zero();  ///< [rad^2, m^2] of the pose, in the LiDAR frame
   double read_ms = 0.0, register_ms = 0.0, map_ms = 0.0;
   double register_cpu_ms = 0.0;  ///< [ms] CPU time of the thread that registers: with one thread, of all the work

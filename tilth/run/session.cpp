@@ -21,10 +21,12 @@ ScanRow row_of(const Scan& scan, const OdometryResult& result) {
   row.planes = result.counts.planes;
   row.candidates = result.alignment.candidates;
   row.matches = result.alignment.matches;
+  row.weight = result.alignment.weight;
   row.iterations = result.alignment.iterations;
   row.converged = result.alignment.converged;
   row.error = result.alignment.error;
   row.degenerate_directions = result.alignment.degenerate_directions;
+  row.track = result.track;
   row.variances = result.covariance.value_or(result.alignment.covariance).diagonal();
   return row;
 }
@@ -129,6 +131,7 @@ std::optional<OdometryResult> Session::register_scan(const Scan& scan, double re
     row.stage_ms = clock_.milliseconds();
     row.read_ms = read_ms;
     keep(scan, result, std::move(row));
+    tell_track(result);
     return result;
   } catch (const Error& e) {
     skip({read_ - 1 + taken_, "scan " + std::to_string(read_ - 1 + taken_), e.what()});
@@ -143,6 +146,18 @@ void Session::keep(const Scan& scan, const OdometryResult& result, ScanRow row) 
   record_.trajectory.push_back({result.stamp, result.T_world_lidar});
   record_.scans.stages = clock_.stages();
   record_.scans.rows.push_back(std::move(row));
+}
+
+void Session::tell_track(const OdometryResult& result) {
+  const bool was_lost = track_ == TrackState::lost, is_lost = result.track.state == TrackState::lost;
+  track_ = result.track.state;
+  const std::string when = "at " + std::to_string(result.stamp) + " s";
+  const std::string reason(names_of(result.track.reason)[std::size_t(result.track.reason)]);
+  if (is_lost && !was_lost)
+    observer_->warn("the track is lost " + when + ": " + reason +
+                    "; from here on poses are right among themselves at best");
+  if (was_lost && !is_lost) observer_->warn("the track is found again " + when);
+  if (track_ == TrackState::recovered && !was_lost) observer_->warn("the track is found again " + when + ": " + reason);
 }
 
 void Session::take_skipped() {

@@ -58,6 +58,7 @@ class Session {
   std::optional<Scan> read();
   std::optional<OdometryResult> register_scan(const Scan& scan, double read_ms);
   void keep(const Scan& scan, const OdometryResult& result, ScanRow row);
+  void tell_track(const OdometryResult& result);
   void take_decisions();
   void take_notices();
   void take_skipped();
@@ -74,6 +75,7 @@ class Session {
   std::size_t taken_ = 0;  // of source_->skipped()
   std::size_t read_ = 0;   // scans handed over by the source
   bool broken_ = false;
+  TrackState track_ = TrackState::tracking;  // of the last scan
 };
 
 }  // namespace tilth

@@ -5,6 +5,7 @@
 #include <tilth/evaluation/distribution.hpp>
 #include <tilth/run/evaluation_report.hpp>
 #include <tilth/run/summary_json.hpp>
+#include <tilth/run/track_record.hpp>
 
 namespace tilth {
 
@@ -67,6 +68,20 @@ Json skipped(const RunRecord& record) {
   return list;
 }
 
+Json track(const ScanTable& table) {
+  const auto name = [](auto value) { return names_of(value)[std::size_t(value)]; };
+  Json intervals = Json::array();
+  for (const TrackInterval& i : track_intervals(table)) {
+    intervals.push_back({{"state", name(i.track.state)},
+                         {"reason", name(i.track.reason)},
+                         {"from", i.from},
+                         {"to", i.to},
+                         {"first_scan", i.first},
+                         {"scans", i.scans}});
+  }
+  return {{"state", name(track_at_end(table))}, {"lost", was_lost(table)}, {"intervals", std::move(intervals)}};
+}
+
 Json loop_closure(const LoopRecord& loops) {
   Json verdicts = Json::object();
   for (const ClosureRow& row : loops.closures) verdicts[row.verdict] = verdicts.value(row.verdict, 0) + 1;
@@ -102,6 +117,7 @@ std::string summary_json(const RunRecord& record) {
                   {"pipeline", record.pipeline},
                   {"options", options(record)},
                   {"map_voxel_m", record.map.voxel()},
+                  {"track", track(record.scans)},
                   {"counts", counts(record)},
                   {"skipped", skipped(record)},
                   {"notices", record.notices},

@@ -1,0 +1,37 @@
+// What a run says of its track.
+#include <run/sample_record.hpp>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <tilth/run/summary_json.hpp>
+#include <tilth/run/track_record.hpp>
+
+namespace tilth {
+namespace {
+
+TEST(TrackRecord, TellsWhereTheTrackWasLost) {
+  EXPECT_FALSE(was_lost(sample_record().scans));
+  EXPECT_EQ(loss_sentence(sample_record().scans), "");
+  const ScanTable table = lost_record().scans;
+  EXPECT_TRUE(was_lost(table));
+  EXPECT_EQ(loss_sentence(table),
+            "the track was lost from 1.000 s to 1.500 s (2 scans: the scan does not fit the map)");
+  const nlohmann::json track = nlohmann::json::parse(summary_json(lost_record()))["track"];
+  EXPECT_EQ(track["state"], "lost");
+  EXPECT_EQ(track["intervals"].size(), 2U);
+  EXPECT_EQ(track["intervals"][0]["state"], "coasting");
+  EXPECT_EQ(track["intervals"][1]["from"], 1.0);
+  EXPECT_EQ(track["intervals"][1]["scans"], 2);
+}
+
+TEST(TrackRecord, AGapIsALossWithoutScans) {
+  ScanTable table = sample_record().scans;
+  table.rows[2].track = {TrackState::recovered, TrackReason::long_gap};
+  EXPECT_TRUE(was_lost(table));
+  EXPECT_EQ(track_at_end(table), TrackState::tracking);
+  EXPECT_EQ(loss_sentence(table), "the track was lost from 0.500 s to 1.000 s (no scans for too long)");
+}
+
+}  // namespace
+}  // namespace tilth

@@ -1,0 +1,68 @@
+#include <algorithm>
+
+#include <tilth/odometry/track_judge.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr double kThinScan = 0.3;    // of the usual candidates: spoils no map
+constexpr double kCoast = 0.5;       // [s] at most
+constexpr double kLongGap = 4.0;     // [s] after which the map must be found again
+constexpr double kLeap = 60.0;       // [m/s^2] that no robot has
+constexpr double kTurnLeap = 150.0;  // [rad/s^2]
+constexpr std::size_t kStart = 4;    // scans until velocities are known
+
+}  // namespace
+
+Track TrackJudge::judge(const OdometryResult& result) {
+  const bool begins = sizes_.value() == 0;
+  const double interval = begins ? 0.0 : result.stamp - last_.stamp;
+  const TrackReason reason = doubt(result, interval);
+  track_ = reason == TrackReason::none ? believed(interval) : doubted(reason, result, interval);
+  const Vector6d velocity = velocity_to(result, interval);
+  last_ = {result.stamp, result.T_world_lidar, velocity};
+  if (reason != TrackReason::none) return track_;
+  if (!begins) usual_.add(result.alignment, interval);
+  sizes_.add(double(std::max<std::size_t>(1, result.alignment.candidates)));
+  return track_;
+}
+
+TrackReason TrackJudge::doubt(const OdometryResult& result, double interval) const {
+  const AlignResult& alignment = result.alignment;
+  if (sizes_.value() == 0) return alignment.converged ? TrackReason::none : TrackReason::too_few_matches;
+  if (result.relative) return TrackReason::new_map;
+  if (usual_.is_unmatched(alignment)) return TrackReason::too_few_matches;
+  if (result.ambiguous) return TrackReason::ambiguous;
+  if (usual_.is_poor(alignment)) return TrackReason::poor_fit;
+  if (since_doubt_ < kStart || !(interval > 0)) return TrackReason::none;
+  const Vector6d change = (velocity_to(result, interval) - last_.velocity) / interval;
+  const bool leaps = change.head<3>().norm() > kTurnLeap || change.tail<3>().norm() > kLeap;
+  return leaps ? TrackReason::jump : TrackReason::none;
+}
+
+Vector6d TrackJudge::velocity_to(const OdometryResult& result, double interval) const {
+  if (!(interval > 0)) return last_.velocity;
+  return log(last_.T_world_lidar.inverse() * result.T_world_lidar) / interval;
+}
+
+Track TrackJudge::doubted(TrackReason reason, const OdometryResult& result, double interval) {
+  const bool was_lost = track_.state == TrackState::lost;
+  unknown_ += interval;
+  since_doubt_ = 0;
+  const bool whole = double(result.alignment.candidates) > kThinScan * sizes_.value();
+  if (result.in_map && whole && !result.relative) map_spoilt_ = true;
+  const bool is_lost = was_lost || map_spoilt_ || unknown_ > kCoast;
+  return {is_lost ? TrackState::lost : TrackState::coasting, reason};
+}
+
+Track TrackJudge::believed(double interval) {
+  ++since_doubt_;
+  if (map_spoilt_) return {TrackState::lost, track_.reason};
+  const bool was_lost = track_.state == TrackState::lost;
+  const bool gap = interval > kLongGap;
+  unknown_ = 0.0;
+  if (gap) return {TrackState::recovered, TrackReason::long_gap};
+  return was_lost ? Track{TrackState::recovered, track_.reason} : Track{};
+}
+
+}  // namespace tilth
