@@ -36,30 +36,59 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
 
   begin_stage("registration");
   const double middle = 0.5 * duration(cloud);
-  result.stamp = scan.stamp + middle;
-  // The second time the scan is straightened by the motion that the first time, which may be rough, has found.
-  Pose T_world_middle = motion_.predict(result.stamp);
-  MatchedPatches<MapSurface> still;
-  for (const AlignOptions& align : {rough(options_), options_.align}) {
-    if (options_.deskew)
-      result.motion = MotionInScan::steady(motion_.velocity_to(result.stamp, T_world_middle), middle);
-    still.patches = deskew(joined(features.edges, features.planes), result.motion, middle);
-    result.alignment = register_features(still, T_world_middle, align);
-    T_world_middle = result.alignment.T_target_source;
-  }
+  const FeatureScan measured{joined(features.edges, features.planes), scan.stamp + middle, middle};
+  const Registration found = find(measured);
   begin_stage("map");
-  motion_.update(result.stamp, T_world_middle);
-  map_.insert(deskew(std::move(patches), result.motion, middle), T_world_middle);
-  map_.crop(T_world_middle.translation());
+  result.ambiguous = ambiguous_, result.relative = relative_, result.in_map = belongs_in_map(found.alignment);
+  if (result.in_map) insert(std::move(patches), measured, found);
 
-  result.T_world_lidar = T_world_middle;
+  result.stamp = measured.stamp;
+  result.alignment = found.alignment;
+  result.motion = found.motion;
+  result.T_world_lidar = found.alignment.T_target_source;
   result.counts = {cloud.size(), cloud.size() - result.filtered.size(), features.edges.size(), features.planes.size()};
   return result;
 }
 
+bool ImprovedFloam::belongs_in_map(const AlignResult& alignment) const {
+  return motion_.updates() == 0 ? alignment.converged : !ambiguous_ && !usual_.is_poor(alignment);
+}
+
+void ImprovedFloam::insert(SurfacePatches patches, const FeatureScan& scan, const Registration& registration) {
+  const Pose& T_world_middle = registration.alignment.T_target_source;
+  if (motion_.updates() == 0) {
+    first_ = {patches, scan.middle, T_world_middle};
+  } else {
+    usual_.add(registration.alignment, scan.stamp - motion_.last_time());
+    first_.reset();
+  }
+  motion_.update(scan.stamp, T_world_middle);
+  map_.insert(deskew(std::move(patches), registration.motion, scan.middle), T_world_middle);
+  map_.crop(T_world_middle.translation());
+}
+
+ImprovedFloam::Registration ImprovedFloam::register_scan_from(const FeatureScan& scan, const Pose& T_start) const {
+  // The second time the scan is straightened by the motion that the first time, which may be rough, has found.
+  Registration registration{.alignment = {.T_target_source = T_start}};
+  for (const AlignOptions& align : {rough(options_), options_.align}) {
+    const Pose& T = registration.alignment.T_target_source;
+    registration = register_once(scan, T, in_scan(motion_.velocity_to(scan.stamp, T), scan.middle), align);
+  }
+  return registration;
+}
+
+ImprovedFloam::Registration ImprovedFloam::register_once(const FeatureScan& scan, const Pose& T_start,
+                                                         const MotionInScan& motion,
+                                                         const AlignOptions& align_options) const {
+  MatchedPatches<MapSurface> still{deskew(scan.features, motion, scan.middle)};
+  return {register_features(still, T_start, align_options), motion};
+}
+
 AlignResult ImprovedFloam::register_features(MatchedPatches<MapSurface>& features, const Pose& T_start,
                                              const AlignOptions& align_options) const {
-  if (motion_.updates() == 0) return {.T_target_source = T_start, .converged = true};
+  const bool enough = features.patches.size() >= std::size_t(options_.align.min_matches);
+  if (motion_.updates() == 0)
+    return {.T_target_source = T_start, .converged = enough, .candidates = features.patches.size()};
   const auto align_by = [&](const auto& associate) {
     return align(T_start, align_options,
                  [&](const Pose& T) { return associate(features, T, map_, options_.association); });

@@ -1,11 +1,14 @@
 // FLOAM with statistical outlier removal and GICP: Fu et al., Appl. Sci. 2026, 16, 3141.
 #pragma once
 
+#include <optional>
+
 #include <tilth/features/patch_features.hpp>
 #include <tilth/features/surface_patches.hpp>
 #include <tilth/map/patch_map.hpp>
 #include <tilth/odometry/motion_model.hpp>
 #include <tilth/odometry/odometry.hpp>
+#include <tilth/odometry/usual_fit.hpp>
 #include <tilth/preprocess/outlier_removal.hpp>
 #include <tilth/registration/align.hpp>
 #include <tilth/registration/association.hpp>
@@ -58,14 +61,51 @@ class ImprovedFloam : public Odometry {
   PointCloud local_map() const override;
 
  private:
-  AlignResult register_features(MatchedPatches<MapSurface>& features, const Pose& T_start,
-                                const AlignOptions& align_options) const;
+  /// Features of a scan, as measured.
+  struct FeatureScan {
+    SurfacePatches features;
+    double stamp, middle;  ///< [s] of the pose, and when that is in the scan
+  };
+
+  struct Registration {
+    AlignResult alignment = {};
+    MotionInScan motion = {};
+  };
+
+  Registration register_scan_from(const FeatureScan& scan, const Pose& T_start) const;
+  /// Straightened by `motion`, with these options alone.
+  Registration register_once(const FeatureScan& scan, const Pose& T_start, const MotionInScan& motion,
+                             const AlignOptions& align_options) const;
+  AlignResult register_features(MatchedPatches<MapSurface>& features, const Pose& T_start, const AlignOptions& align_options) const;
+
+  Registration find(const FeatureScan& scan);
+  AlignResult try_from(const FeatureScan& few, const Pose& T_start, const MotionInScan& motion) const;
+  MotionInScan in_scan(const Vector6d& velocity, double middle) const;
+  /// From several starts, where that from the motion expected is in doubt; says whether they can be told apart.
+  Registration search(const FeatureScan& scan, const Registration& expected);
+  /// The second scan, if the sensor moved in the first one already.
+  Registration search_start(const FeatureScan& scan, const Registration& from_rest);
+  bool belongs_in_map(const AlignResult& alignment) const;
+  void insert(SurfacePatches patches, const FeatureScan& scan, const Registration& registration);
+  void straighten_first(const Vector6d& velocity);
+  /// A new map, where the sensor is thought to be.
+  void begin_anew(double stamp);
 
   ImprovedFloamOptions options_;
   OutlierFilter outliers_;
   RingLayout rings_;  // of the scan
   ConstantVelocity motion_;
   PatchMap map_;  // of both: it keeps what is flat apart from what is not
+
+  struct FirstScan {
+    SurfacePatches patches;
+    double middle;
+    Pose T_world_middle;
+  };
+  std::optional<FirstScan> first_;  // until the second one is in the map
+  UsualFit usual_;
+  bool ambiguous_ = false;  // another motion of the last scan fits as well
+  bool relative_ = false;   // the map was begun after a loss
 };
 
 }  // namespace tilth

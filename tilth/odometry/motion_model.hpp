@@ -1,16 +1,23 @@
 // Constant velocity between scans, on their stamps: whoever drops a scan or turns slower does not change it.
 #pragma once
 
+#include <algorithm>
+
 #include <tilth/core/se3.hpp>
 
 namespace tilth {
 
 class ConstantVelocity {
  public:
-  /// The pose expected at `time` [s], or, for a time before the last update, the one that was passed; the first pose
-  /// before any update is the identity.
+  ConstantVelocity() = default;
+  /// Before any update it is at `T_world_lidar`.
+  explicit ConstantVelocity(const Pose& T_world_lidar) : T_world_lidar_(T_world_lidar) {}
+
+  /// The pose expected at `time` [s], or, for a time before the last update, the one that was passed; before any
+  /// update, where it is.
   Pose predict(double time) const {
-    return updates_ == 0 ? Pose::Identity() : retract(T_world_lidar_, velocity_ * (time - time_));
+    constexpr double kCarriedOn = 1.0;  // [s] at most: after that it is not known to have gone on
+    return updates_ == 0 ? T_world_lidar_ : retract(T_world_lidar_, velocity_ * std::min(time - time_, kCarriedOn));
   }
 
   /// Takes the pose found at `time`; the velocity is the motion since the last one.
@@ -28,7 +35,7 @@ class ConstantVelocity {
   }
 
   const Vector6d& velocity() const { return velocity_; }    ///< [rad/s, m/s] in the LiDAR's own frame
-  const Pose& last_pose() const { return T_world_lidar_; }  ///< the identity before any update
+  const Pose& last_pose() const { return T_world_lidar_; }  ///< before any update, where it is
   double last_time() const { return time_; }                ///< [s] of the last pose
   int updates() const { return updates_; }
 
