@@ -76,7 +76,8 @@ class ImprovedFloam : public Odometry {
   /// Straightened by `motion`, with these options alone.
   Registration register_once(const FeatureScan& scan, const Pose& T_start, const MotionInScan& motion,
                              const AlignOptions& align_options) const;
-  AlignResult register_features(MatchedPatches<MapSurface>& features, const Pose& T_start, const AlignOptions& align_options) const;
+  AlignResult register_features(MatchedPatches<MapSurface>& features, const Pose& T_start,
+                                const AlignOptions& align_options) const;
 
   Registration find(const FeatureScan& scan);
   AlignResult try_from(const FeatureScan& few, const Pose& T_start, const MotionInScan& motion) const;

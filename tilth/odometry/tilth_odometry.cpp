@@ -6,19 +6,6 @@
 #include <tilth/preprocess/deskew.hpp>
 
 namespace tilth {
-namespace {
-
-/// At most `most` of the patches, evenly along the rings.
-SurfacePatches evenly(const SurfacePatches& patches, std::size_t most) {
-  if (patches.size() <= most) return patches;
-  SurfacePatches chosen;
-  chosen.reserve(most);
-  for (std::size_t i = 0; i < most; ++i) chosen.push_back(patches[i * patches.size() / most]);
-  return chosen;
-}
-
-}  // namespace
-
 OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   begin_stage("crop");
   const PointCloud cloud = crop_range(scan.cloud, options_.min_range, options_.max_range);
@@ -34,38 +21,17 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   const ContinuousTimeAlignment alignment = align(patches, prior);
   begin_stage("map");
   const Matrix6d covariance = covariance_of(alignment, patches.time());
-  insert(patches, alignment);
+  const bool in_map = belongs_in_map(alignment);
+  if (in_map) insert(patches, alignment);
   if (world_.is_due(patches.time())) reanchor();
 
   OdometryResult result = result_of(alignment, patches);
   result.covariance = covariance;
+  result.ambiguous = ambiguous_, result.in_map = in_map, result.relative = relative_;
   result.counts.points_in = cloud.size();
   result.counts.outliers = cloud.size() - filtered.size();
   result.filtered = std::move(filtered);
   return result;
-}
-
-ContinuousTimeAlignment TilthOdometry::align(const ScanPatches& scan, const MotionPrior& prior) {
-  const bool enough = scan.patches.size() >= std::size_t(options_.align.min_matches);
-  if (world_.empty() && enough) return {.pose = {.converged = true, .candidates = scan.patches.size()}};
-  return world_.awaits_second() ? align_second(scan, prior) : align_to_map(scan, prior);
-}
-
-ContinuousTimeAlignment TilthOdometry::align_to_map(const ScanPatches& scan, const MotionPrior& prior) const {
-  return align_continuous_time(evenly(scan.patches, std::size_t(options_.max_patches)), scan.middle(), prior, map_,
-                               options_.align);
-}
-
-ContinuousTimeAlignment TilthOdometry::align_second(const ScanPatches& scan, MotionPrior prior) {
-  constexpr int kRounds = 4;
-  ContinuousTimeAlignment alignment;
-  for (int round = 0; round < kRounds; ++round) {
-    alignment = align_to_map(scan, prior);
-    prior.velocity = alignment.motion.velocity;
-    map_ = PatchMap(options_.map);
-    map_.insert(world_.first_patches(prior.velocity), Pose::Identity());
-  }
-  return alignment;
 }
 
 Matrix6d TilthOdometry::covariance_of(const ContinuousTimeAlignment& alignment, double time) {
@@ -83,12 +49,17 @@ Matrix6d TilthOdometry::covariance_of(const ContinuousTimeAlignment& alignment, 
   return since_first + to_lidar * first.asDiagonal() * to_lidar.transpose();
 }
 
+bool TilthOdometry::belongs_in_map(const ContinuousTimeAlignment& alignment) const {
+  if (world_.empty()) return alignment.pose.converged;
+  return alignment.pose.matches >= std::size_t(options_.align.min_matches) && !ambiguous_ &&
+         !usual_.is_poor(alignment.pose);
+}
+
 void TilthOdometry::insert(const ScanPatches& scan, const ContinuousTimeAlignment& alignment) {
   const bool first = world_.empty();
-  if (first && !alignment.pose.converged) return;
   if (first) world_.begin(scan);
+  if (!first) usual_.add(alignment.pose, scan.time() - motion_.last_time());
   motion_.update(scan.time(), alignment);
-  if (!first && alignment.pose.matches < std::size_t(options_.align.min_matches)) return;
   MotionInScan motion = alignment.motion;
   motion.vibration = motion_.vibration().without_mean(motion.vibration);
   const Pose& T_map_middle = alignment.pose.T_target_source;
@@ -100,7 +71,8 @@ void TilthOdometry::insert(const ScanPatches& scan, const ContinuousTimeAlignmen
 void TilthOdometry::reanchor() {
   const ScanPatches& first = world_.first_scan();
   const ContinuousTimeAlignment alignment = align_to_map(first, world_.prior_of_first(motion_.vibration().sigma()));
-  world_.anchor(alignment.pose.converged ? std::optional(pose_in_scan(alignment, first)) : std::nullopt);
+  world_.anchor(motion_.last_time(),
+                alignment.pose.converged ? std::optional(pose_in_scan(alignment, first)) : std::nullopt);
 }
 
 Pose TilthOdometry::pose_in_scan(const ContinuousTimeAlignment& alignment, const ScanPatches& scan) const {

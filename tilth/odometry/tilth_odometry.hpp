@@ -8,6 +8,7 @@
 #include <tilth/odometry/motion_filter.hpp>
 #include <tilth/odometry/odometry.hpp>
 #include <tilth/odometry/pose_uncertainty.hpp>
+#include <tilth/odometry/usual_fit.hpp>
 #include <tilth/odometry/world_frame.hpp>
 #include <tilth/preprocess/ring_support.hpp>
 #include <tilth/registration/continuous_time_registration.hpp>
@@ -56,9 +57,24 @@ class TilthOdometry : public Odometry {
  private:
   ContinuousTimeAlignment align(const ScanPatches& scan, const MotionPrior& prior);
   ContinuousTimeAlignment align_to_map(const ScanPatches& scan, const MotionPrior& prior) const;
+  ContinuousTimeAlignment align_to_map(const ScanPatches& scan, const MotionPrior& prior,
+                                       const MotionState& start) const;
+  /// With few patches and iterations.
+  ContinuousTimeAlignment try_from(const SurfacePatches& few, const MotionPrior& prior, const MotionState& start) const;
+  /// From several starts, where that from the motion expected is in doubt; says whether they can be told apart.
+  ContinuousTimeAlignment search(const ScanPatches& scan, const MotionPrior& prior,
+                                 const ContinuousTimeAlignment& expected);
   /// The second scan tells how the sensor moved in the first one, which then is straightened anew.
   ContinuousTimeAlignment align_second(const ScanPatches& scan, MotionPrior prior);
+  ContinuousTimeAlignment align_with_first(const ScanPatches& scan, MotionPrior prior);
+  void straighten_first(const Vector6d& velocity);
+  /// The velocity at the start that fits best, where one of many does better than `found`.
+  std::optional<Vector6d> search_start(const ScanPatches& scan, MotionPrior prior,
+                                       const ContinuousTimeAlignment& found);
   Matrix6d covariance_of(const ContinuousTimeAlignment& alignment, double time);
+  bool belongs_in_map(const ContinuousTimeAlignment& alignment) const;
+  /// A new map, where the sensor is thought to be.
+  void begin_anew(const Pose& T_map_lidar);
   /// What the scan leaves for those that follow.
   void insert(const ScanPatches& scan, const ContinuousTimeAlignment& alignment);
   void reanchor();
@@ -74,6 +90,9 @@ class TilthOdometry : public Odometry {
   MotionFilter motion_;
   WorldFrame world_;
   PoseUncertainty uncertainty_;
+  UsualFit usual_;          // of the scans in the map
+  bool ambiguous_ = false;  // another motion of the last scan fits as well
+  bool relative_ = false;   // the map was begun after a loss
 };
 
 }  // namespace tilth

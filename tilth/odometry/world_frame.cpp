@@ -1,3 +1,5 @@
+#include <limits>
+
 #include <tilth/odometry/world_frame.hpp>
 #include <tilth/preprocess/deskew.hpp>
 
@@ -24,9 +26,15 @@ MotionPrior WorldFrame::prior_of_first(const VibrationSigma& vibration) const {
   return prior;
 }
 
-void WorldFrame::anchor(const std::optional<Pose>& T_map_first) {
+void WorldFrame::anchor(double time, const std::optional<Pose>& T_map_first) {
   if (T_map_first) T_world_map_ = T_map_first->inverse();
-  first_.reset();
+  if (is_settled(time)) first_.reset();
+}
+
+bool WorldFrame::is_thin(double time) const {
+  constexpr double kUntil = 1.0, kSpeed = 3.0;  // [s] [m/s]
+  const bool anchored_once = reanchor_after_ < std::numeric_limits<double>::infinity();
+  return anchored_once && age(time) < kUntil && back_.velocity.tail<3>().norm() > kSpeed;
 }
 
 }  // namespace tilth

@@ -11,8 +11,9 @@ namespace tilth {
 
 class WorldFrame {
  public:
-  /// `reanchor_after` [s] the first scan it is registered again.
-  explicit WorldFrame(double reanchor_after) : reanchor_after_(reanchor_after) {}
+  /// `reanchor_after` [s] the first scan it is registered again; until then the map's frame lies at `T_world_map`.
+  explicit WorldFrame(double reanchor_after, const Pose& T_world_map = Pose::Identity())
+      : reanchor_after_(reanchor_after), T_world_map_(T_world_map) {}
 
   /// Until the first scan.
   bool empty() const { return scans_ == 0; }
@@ -31,23 +32,27 @@ class WorldFrame {
   /// The patches of the first scan at its middle, in which the LiDAR moved like this [rad/s, m/s].
   SurfacePatches first_patches(const Vector6d& velocity) const;
 
-  /// The time to register first_scan() anew by prior_of_first() and to tell anchor().
-  bool is_due(double time) const { return first_ && scans_ == 2 && age(time) >= reanchor_after_; }
+  /// The time to register first_scan() anew by prior_of_first() and to tell anchor(): once, and before that all through
+  /// the first second of a start in motion, whose first map is thin.
+  bool is_due(double time) const { return first_ && scans_ == 2 && (is_settled(time) || is_thin(time)); }
   const ScanPatches& first_scan() const { return *first_; }
   /// With the size of vibrations as it is known by now.
   MotionPrior prior_of_first(const VibrationSigma& vibration) const;
-  /// Lays the world at `T_map_first`, the pose of the first scan, if it was found.
-  void anchor(const std::optional<Pose>& T_map_first);
+  /// Lays the world at `T_map_first`, the pose of the first scan, if it was found at `time` [s].
+  void anchor(double time, const std::optional<Pose>& T_map_first);
 
   const Pose& T_world_map() const { return T_world_map_; }
 
  private:
+  bool is_settled(double time) const { return age(time) >= reanchor_after_; }
+  bool is_thin(double time) const;
+
   double reanchor_after_;
   int scans_ = 0;                     // of the first two
   double first_time_ = 0.0;           // [s]
   std::optional<ScanPatches> first_;  // until it is anchored
   MotionPrior back_;                  // from the second scan
-  Pose T_world_map_ = Pose::Identity();
+  Pose T_world_map_;
 };
 
 }  // namespace tilth

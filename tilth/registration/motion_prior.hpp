@@ -2,6 +2,8 @@
 // equations of the scan.
 #pragma once
 
+#include <algorithm>
+
 #include <tilth/core/scan_vibration.hpp>
 #include <tilth/registration/continuous_time_alignment.hpp>
 #include <tilth/registration/continuous_time_options.hpp>
@@ -28,9 +30,10 @@ inline Vector6d mean_velocity(const Pose& T_map_last, const Pose& T_map_lidar, d
   return log(T_map_last.inverse() * T_map_lidar) / interval;
 }
 
-/// Where the velocity expected leads to.
+/// Where the velocity expected leads to; after a long interval it is not known to have gone on.
 inline Pose predicted(const MotionPrior& prior) {
-  return retract(prior.T_map_last, prior.velocity * prior.interval);
+  constexpr double kCarriedOn = 1.0;  // [s] at most
+  return retract(prior.T_map_last, prior.velocity * std::min(prior.interval, kCarriedOn));
 }
 
 /// [rad^2, m^2] of the pose predicted: by the accelerations that a robot is capable of.
