@@ -105,7 +105,7 @@ std::string folder_name(const std::string& label) {
   constexpr std::size_t kLongest = 120;
   const bool changed = std::count(name.begin(), name.end(), '_') != std::count(label.begin(), label.end(), '_');
   if (!changed && name.size() <= kLongest && !name.starts_with('.')) return name;
-  return "_" + name.substr(0, kLongest) + short_hash(label);
+  return std::string("_").append(name, 0, kLongest).append(short_hash(label));
 }
 
 std::vector<MatrixSource> matrix_sources(const MatrixArguments& arguments) {

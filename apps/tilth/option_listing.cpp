@@ -66,7 +66,7 @@ std::string option_table(const std::string& pipeline, std::span<const OptionInfo
   const Parts parts = by_audience(options);
   std::string text = pipeline + "\n";
   for (const OptionInfo& o : parts.common) text += line(o);
-  if (!parts.advanced.empty()) text += " " + std::string(kAdvancedTitle) + "\n";
+  if (!parts.advanced.empty()) text.append(" ").append(kAdvancedTitle).append("\n");
   for (const OptionInfo& o : parts.advanced) text += line(o);
   return text;
 }
