@@ -67,7 +67,8 @@ TEST_F(Evaluate, ATableThatPutsWFirst) {
     const Eigen::Quaterniond q(pose.T_world_lidar.linear());
     const Eigen::Vector3d t = pose.T_world_lidar.translation();
     table += std::to_string(std::llround(1e9 * pose.stamp));
-    for (const double value : {t.x(), t.y(), t.z(), q.w(), q.x(), q.y(), q.z()}) table += "," + std::to_string(value);
+    for (const double value : {t.x(), t.y(), t.z(), q.w(), q.x(), q.y(), q.z()})
+      table.append(",").append(std::to_string(value));
     table += "\r\n";
   }
   put("truth.csv", table);

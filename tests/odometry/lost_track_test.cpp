@@ -106,7 +106,7 @@ TEST_P(LostTrack, ARecordingThatGoesOnElsewhereIsSaid) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Pipelines, LostTrack, testing::Values("tilth", "improved_floam"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& pipeline) { return pipeline.param; });
 
 }  // namespace
 }  // namespace tilth

@@ -25,7 +25,7 @@ TEST(WorldFrame, IsLaidOnceWhereTheFirstScanIsFound) {
   EXPECT_EQ(prior.interval, -0.1);
   EXPECT_EQ(prior.vibration.tilt, 1e-3) << "as it is known by then";
   const Pose T_map_first(Eigen::Translation3d(0.01, 0, 0));
-  world.anchor(T_map_first);
+  world.anchor(14.06, T_map_first);
   EXPECT_TRUE((world.T_world_map() * T_map_first).isApprox(Pose::Identity()));
   EXPECT_FALSE(world.is_due(30)) << "once";
 }
@@ -34,7 +34,7 @@ TEST(WorldFrame, StaysWhereTheFirstScanIsNotFound) {
   WorldFrame world(4.0);
   world.begin(kFirst);
   world.add_second({});
-  world.anchor(std::nullopt);
+  world.anchor(14.06, std::nullopt);
   EXPECT_EQ(world.T_world_map().matrix(), Pose::Identity().matrix());
   EXPECT_FALSE(world.is_due(30));
 }
