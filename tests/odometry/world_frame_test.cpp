@@ -39,6 +39,23 @@ TEST(WorldFrame, StaysWhereTheFirstScanIsNotFound) {
   EXPECT_FALSE(world.is_due(30));
 }
 
+TEST(WorldFrame, FollowsTheThinMapOfAStartInMotionForASecond) {
+  WorldFrame world(4.0);
+  world.begin(kFirst);
+  world.add_second({.velocity = (Vector6d() << 0, 0, 0, 8, 0, 0).finished()});
+  for (const double time : {10.2, 10.9}) {
+    EXPECT_TRUE(world.is_due(time));
+    world.anchor(time, std::nullopt);
+  }
+  EXPECT_FALSE(world.is_due(12.0));
+  EXPECT_TRUE(world.is_due(14.1));
+}
+
+TEST(WorldFrame, BeginsWhereItIsTold) {
+  const Pose T_world_map(Eigen::Translation3d(7, 0, 0));
+  EXPECT_EQ(WorldFrame(4.0, T_world_map).T_world_map().matrix(), T_world_map.matrix());
+}
+
 TEST(WorldFrame, StraightensTheFirstScanByTheMotionInIt) {
   WorldFrame world(4.0);
   world.begin(kFirst);

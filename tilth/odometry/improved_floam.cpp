@@ -86,9 +86,13 @@ ImprovedFloam::Registration ImprovedFloam::register_once(const FeatureScan& scan
 
 AlignResult ImprovedFloam::register_features(MatchedPatches<MapSurface>& features, const Pose& T_start,
                                              const AlignOptions& align_options) const {
-  const bool enough = features.patches.size() >= std::size_t(options_.align.min_matches);
-  if (motion_.updates() == 0)
-    return {.T_target_source = T_start, .converged = enough, .candidates = features.patches.size()};
+  if (motion_.updates() == 0) {
+    AlignResult first = unmatched(T_start);
+    first.converged = features.patches.size() >= std::size_t(options_.align.min_matches);
+    first.candidates = features.patches.size();
+    if (first.converged) first.covariance.setZero();
+    return first;
+  }
   const auto align_by = [&](const auto& associate) {
     return align(T_start, align_options,
                  [&](const Pose& T) { return associate(features, T, map_, options_.association); });

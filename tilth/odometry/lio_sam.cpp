@@ -32,6 +32,7 @@ OdometryResult LioSam::register_scan(const Scan& scan) {
   if (is_due) result.alignment = register_features(features, options_.predict ? T_predicted : motion_.last_pose());
   result.T_world_lidar = result.alignment.T_target_source;
   result.alignment.candidates = features.edges.size() + features.planes.size();
+  result.in_map = is_due;
   if (!is_due) return result;
   begin_stage("map");
   result.alignment.converged |= map_.empty() && !features.planes.empty();
