@@ -153,7 +153,9 @@ void RingConvention::decide_from_points(std::span<const MeasuredPoints> scans) {
     T_cloud_sensor_ = mount->T_cloud_sensor;
     decision_ = std::to_string(beams_.size()) + " beams" + described(*T_cloud_sensor_);
   } else {
-    decision_ = "and the points lie on no 8 to 128 beams about any axis: no rings, neighborhoods make the patches";
+    decision_ =
+        "and the points lie on no 8 to 128 beams about any axis: no rings, neighborhoods make the patches; with a "
+        "narrow view, fast turns outdoors may be lost by tilth";
   }
 }
 
