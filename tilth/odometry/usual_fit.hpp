@@ -66,7 +66,7 @@ class UsualFit {
 
   /// Whether the scan lies somewhere else than where it was put.
   bool is_poor(const AlignResult& alignment) const {
-    constexpr double kPoorRatio = 0.5;
+    constexpr double kPoorRatio = 0.56;  // good runs: 0.57 at least, of scans to keyframes after scans to scans
     return is_unmatched(alignment) || ratio(alignment) < kPoorRatio;
   }
 
