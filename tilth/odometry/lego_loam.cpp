@@ -50,7 +50,7 @@ OdometryResult LegoLoam::register_scan(const Scan& scan) {
   begin_stage("features");
   const LegoFeatures features = lego_features(segmented, options_.features);
 
-  begin_stage("scan to scan");
+  begin_stage("scan_to_scan");
   result.alignment =
       align_scan_to_scan({features.sharp, features.flat, period}, last_scan_, T_start_end_, options_.scan_to_scan);
   T_start_end_ = result.alignment.T_target_source;

@@ -18,12 +18,12 @@ constexpr double kOnCones = 0.03;                         ///< [m] rms of the po
 constexpr double kNearAxis = 0.2;                         ///< [m] nearer, a point tells nothing
 constexpr std::array<double, 3> kStarts{0.0, -0.3, 0.3};  ///< spreads of the points from their middle
 
-struct Spread {
+struct Extent {
   Eigen::Vector3d middle, width;  ///< medians, and from the 10th percentile to the 90th
 };
 
-Spread spread_of(std::span<const Eigen::Vector3d> points) {
-  Spread spread;
+Extent spread_of(std::span<const Eigen::Vector3d> points) {
+  Extent spread;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
     for (const Eigen::Vector3d& p : points) values.push_back(p[axis]);
@@ -106,7 +106,7 @@ Cones fitted(std::span<const Eigen::Vector3d> points, std::span<const std::uint1
 
 std::optional<Eigen::Vector3d> far_offset(std::span<const Eigen::Vector3d> points) {
   if (points.empty()) return std::nullopt;
-  const Spread spread = spread_of(points);
+  const Extent spread = spread_of(points);
   const double far = spread.middle.cwiseAbs().maxCoeff();
   if (far < kFarInUnits || far < kFarInSpreads * spread.width.maxCoeff()) return std::nullopt;
   return spread.middle;
@@ -115,7 +115,7 @@ std::optional<Eigen::Vector3d> far_offset(std::span<const Eigen::Vector3d> point
 std::optional<Eigen::Vector3d> apex_of_rings(std::span<const Eigen::Vector3d> points,
                                              std::span<const std::uint16_t> rings) {
   if (points.empty() || *std::max_element(rings.begin(), rings.end()) >= kMostRings) return std::nullopt;
-  const Spread spread = spread_of(points);
+  const Extent spread = spread_of(points);
   std::optional<Cones> best;
   for (const double x : kStarts) {
     for (const double y : kStarts) {

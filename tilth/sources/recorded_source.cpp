@@ -1,3 +1,4 @@
+#include <limits>
 #include <utility>
 
 #include <tilth/core/error.hpp>
@@ -160,7 +161,7 @@ void RecordedSource::read_on() {
       problem = error.what();
     }
   }
-  if (!problem.empty()) read_.emplace_back(SkippedScan{record->index, record->where, std::move(problem)});
+  if (!problem.empty()) unreadable_.push_back({record->index, record->where, std::move(problem)});
   hand_out(judged_turns());
 }
 
@@ -168,6 +169,7 @@ void RecordedSource::read_on() {
 std::vector<Scan> RecordedSource::judged_turns() {
   std::vector<Scan> turns;
   while (std::optional<StampedMessage> message = stamps_->next(ended_)) {
+    pass_unreadable(message->reading.scan);
     if (!message->left_out.empty()) {
       read_.emplace_back(SkippedScan{message->reading.scan, message->where, message->left_out});
       continue;
@@ -175,7 +177,14 @@ std::vector<Scan> RecordedSource::judged_turns() {
     read_.emplace_back(Origin{message->reading.scan, message->where});
     for (Scan& turn : turns_.add(std::move(message->scan))) turns.push_back(std::move(turn));
   }
+  if (ended_) pass_unreadable(std::numeric_limits<std::size_t>::max());
   return turns;
+}
+
+/// Those before this record: stamps are judged some messages later, and what is passed over keeps its place among them.
+void RecordedSource::pass_unreadable(std::size_t before) {
+  for (; !unreadable_.empty() && unreadable_.front().index < before; unreadable_.pop_front())
+    read_.emplace_back(std::move(unreadable_.front()));
 }
 
 RecordedSource::Outcome RecordedSource::decode_next() {

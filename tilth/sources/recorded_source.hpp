@@ -54,6 +54,7 @@ class RecordedSource : public ScanSource {
   Outcome decode_next();
   void read_on();
   std::vector<Scan> judged_turns();
+  void pass_unreadable(std::size_t before);
   void hand_out(std::vector<Scan> turns);
   Outcome in_order(Scan scan, const Origin& origin);
   std::optional<RecordedScan> take();
@@ -67,6 +68,7 @@ class RecordedSource : public ScanSource {
   std::optional<StampStage> stamps_;
   TurnStage turns_;
   std::deque<std::variant<Origin, SkippedScan>> read_;  ///< what went into turns_, or was passed over meanwhile
+  std::deque<SkippedScan> unreadable_;                  ///< records whose place among the messages is not reached yet
   std::deque<Outcome> ready_;
   bool ended_ = false, planned_ = false;
   std::optional<double> last_stamp_;
