@@ -56,7 +56,7 @@ TEST_P(LostTrack, StartsInMotionOnAStreet) {
   for (const char* speed : {"1.1", "1.7"}) {  // times 8 m/s
     const std::size_t first = std::size_t(57 / std::stod(speed));
     const Outcome outcome = drive(GetParam(), {"street", {{"seed", "7"}, {"speed", speed}}, first, 12});
-    EXPECT_LT(outcome.worst, 0.08) << speed;
+    EXPECT_LT(outcome.worst, 0.12) << speed;  // lost: metres
     EXPECT_EQ(outcome.said, 0U) << speed;
   }
 }

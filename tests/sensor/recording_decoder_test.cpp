@@ -74,10 +74,8 @@ TEST(RecordingDecoder, MixedFromTheStartDecidesEachAlone) {
   for (int k = 0; k < 8; ++k) first.push_back(record(k, k % 2 == 0));
   RecordingDecoder decoder(first, {});
   EXPECT_FALSE(decoder.knows(first[1]));
-  std::vector<StampedRecords> rest{first[1], first[3], first[5]};
-  decoder.learn(rest);
-  // the stamps of every second scan tell the spin to one in a hundred
-  for (int k = 0; k < 8; ++k) expect_measured(decoder.decode(first[std::size_t(k)]), k, 2e-3);
+  decoder.learn(std::span(first).subspan(1));  // of scans with times among them, which tell how long a turn takes
+  for (int k = 0; k < 8; ++k) expect_measured(decoder.decode(first[std::size_t(k)]), k);
 }
 
 TEST(RecordingDecoder, NamesWhatIsMissingInAScan) {

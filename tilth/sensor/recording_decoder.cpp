@@ -50,11 +50,22 @@ void RecordingDecoder::learn(std::span<const StampedRecords> records) {
   std::vector<StampedRecords> alike;
   std::copy_if(records.begin(), records.end(), std::back_inserter(alike),
                [&](const StampedRecords& r) { return ring_and_time_fields(r.records) == fields; });
-  layouts_.push_back({fields, ScanDecoder(alike, traits_)});
+  RecordingTraits traits = traits_;
+  traits.spin_period = turn_duration(records);
+  layouts_.push_back({fields, ScanDecoder(alike, traits)});
   if (layouts_.size() == 1) return;
   std::string change = "fields: from scan " + std::to_string(scans_) + " on there is " + fields;
   for (const std::string& decision : layouts_.back().decoder.decisions()) change += "; " + decision;
   changes_.push_back(std::move(change));
+}
+
+/// [s] by the first of the records whose times are read; none where no such layout is known yet.
+std::optional<double> RecordingDecoder::turn_duration(std::span<const StampedRecords> records) const {
+  for (const StampedRecords& stamped : records) {
+    const Layout* known = find(stamped.records);
+    if (known != nullptr && known->decoder.reads_times()) return known->decoder.turn_duration(stamped);
+  }
+  return std::nullopt;
 }
 
 Scan RecordingDecoder::decode(const StampedRecords& records) {

@@ -42,6 +42,7 @@ class RecordingDecoder {
     ScanDecoder decoder;
   };
 
+  std::optional<double> turn_duration(std::span<const StampedRecords> records) const;
   const Layout* find(const PointRecords& records) const;
   Scan untimed(Scan scan);
 

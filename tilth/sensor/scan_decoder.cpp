@@ -125,8 +125,9 @@ void ScanDecoder::decide_spin(std::span<const MeasuredPoints> scans, std::span<c
         "time: no field, and the points lie on a ray caster's exact grid: scans are snapshots, no point times");
     return;
   }
-  const SpinDecision spin = measure_spin(rotations, rotation_stamps, traits.nominal_stamps,
-                                         column_step(in_sensor(scans.front().points), rings_->rings_of(scans.front())));
+  const SpinDecision spin =
+      measure_spin(rotations, rotation_stamps, traits.nominal_stamps,
+                   {column_step(in_sensor(scans.front().points), rings_->rings_of(scans.front())), traits.spin_period});
   spin_period_ = spin.period;
   cut_ = spin.cut;
   clockwise_ = rotations.front().clockwise;
@@ -152,6 +153,16 @@ Scan ScanDecoder::decode(const StampedRecords& stamped) const {
   scan.cloud.intensities = std::move(measured.intensities);
   set_times(measured, stamped.stamp.stamp, scan);
   return scan;
+}
+
+std::optional<double> ScanDecoder::turn_duration(const StampedRecords& stamped) const {
+  constexpr double kLeast = 1.0;  // [rad]
+  const Scan scan = decode(stamped);
+  if (!scan.cloud.has_times()) return std::nullopt;
+  const std::optional<HeadRotation> rotation = rotation_of(scan.cloud.points, scan.cloud.rings);
+  if (!rotation || rotation->covered() < kLeast) return std::nullopt;
+  const auto [first, last] = std::minmax_element(scan.cloud.times.begin(), scan.cloud.times.end());
+  return double(*last - *first) * 2 * std::numbers::pi / rotation->covered();
 }
 
 /// Times by the order of firing; where the points are too few or in another order, by their azimuth since a fixed cut.

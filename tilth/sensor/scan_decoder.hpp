@@ -30,6 +30,7 @@ std::span<const std::string_view> names_of(CloudTimes);
 struct CloudOptions {
   CloudTimes times = CloudTimes::automatic;
   LengthUnit unit = LengthUnit::automatic;
+  std::optional<double> spin_period = {};  ///< [s] about, where scans with other fields tell it
 };
 
 template <class V>
@@ -47,6 +48,7 @@ struct RecordingTraits {
   bool end_stamps = false;      ///< stamps follow the last point: they are the recorder's
   CloudTimes times = CloudTimes::automatic;
   LengthUnit unit = LengthUnit::automatic;
+  std::optional<double> spin_period = {};  ///< [s] about, where scans with other fields tell it
 };
 
 class ScanDecoder {
@@ -60,6 +62,8 @@ class ScanDecoder {
 
   const std::vector<std::string>& decisions() const { return decisions_; }
   bool reads_times() const { return times_.has_value(); }  ///< of a field
+  /// [s] that the head takes for a turn, by the times of a scan and the angle that it spans; where both are known.
+  std::optional<double> turn_duration(const StampedRecords& stamped) const;
 
  private:
   void decide_times(std::span<const MeasuredPoints> scans, std::span<const CloudStamp> stamps,

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -97,6 +98,29 @@ std::optional<LeftOutTurns> left_out(const StampedTurns& stamped, const std::opt
   return turns_left_out(stamped.step, stamped.turned, *column_step);
 }
 
+/// As many turns as bring the period nearest to one that is about known.
+std::optional<LeftOutTurns> left_out_beside(const StampedTurns& stamped, double about) {
+  constexpr std::size_t kMost = 20;
+  if (stamped.step <= 0.0) return std::nullopt;
+  LeftOutTurns best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t turns = 0; turns <= kMost; ++turns) {
+    const double period = stamped.step / (stamped.turned + double(turns));
+    const double apart = std::abs(std::log(period / about));
+    if (apart < nearest) nearest = apart, best = {period, turns};
+  }
+  return best.turns > 0 ? std::optional(best) : std::nullopt;
+}
+
+std::string sentence_of(const LeftOutTurns& fewer, double step, const SpinHints& hints) {
+  return ", spin period " + number("%.4f", fewer.period) + " s and " + std::to_string(fewer.turns) + " of " +
+         std::to_string(fewer.turns + 1) +
+         (hints.about ? " turns lie between these scans: those with times tell how long a turn takes"
+                      : " turns not recorded: a beam's points lie " + number("%.3f", *hints.column_step / kDegree) +
+                            " deg apart, as sensors fire at that rate") +
+         ", and scans " + number("%.4f", step) + " s";
+}
+
 }  // namespace
 
 double delay_of_first(const HeadRotation& rotation, double cut, double period) {
@@ -106,7 +130,7 @@ double delay_of_first(const HeadRotation& rotation, double cut, double period) {
 }
 
 SpinDecision measure_spin(std::span<const HeadRotation> rotations, std::span<const double> stamps, bool nominal_stamps,
-                          const std::optional<double>& column_step) {
+                          const SpinHints& hints) {
   const StampedTurns stamped = turns_between(rotations, stamps);
   const std::optional<double> cut = fixed_cut(rotations);
   const Succession order = succession(rotations);
@@ -117,14 +141,12 @@ SpinDecision measure_spin(std::span<const HeadRotation> rotations, std::span<con
             "time: no field, and scans do not begin where the one before ended while the stamps are nominal: no point "
             "times"};
   }
-  const auto fewer = nominal_stamps || order == Succession::follows ? std::nullopt : left_out(stamped, column_step);
-  if (fewer) {
-    return {fewer->period, cut,
-            begin + ", spin period " + number("%.4f", fewer->period) + " s and " + std::to_string(fewer->turns) +
-                " of " + std::to_string(fewer->turns + 1) + " turns not recorded: a beam's points lie " +
-                number("%.3f", *column_step / kDegree) + " deg apart, as sensors fire at that rate, and scans " +
-                number("%.4f", stamped.step) + " s"};
-  }
+  std::optional<LeftOutTurns> fewer;
+  if (hints.about)
+    fewer = left_out_beside(stamped, *hints.about);
+  else if (!nominal_stamps && order != Succession::follows)
+    fewer = left_out(stamped, hints.column_step);
+  if (fewer) return {fewer->period, cut, begin + sentence_of(*fewer, stamped.step, hints)};
   if (!is_spin(stamped.period)) {
     return {kUsualPeriod, cut,
             begin + ", spin period ASSUMED " + number("%.4f", kUsualPeriod) + " s: " +

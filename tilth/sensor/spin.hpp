@@ -17,10 +17,16 @@ struct SpinDecision {
   std::string sentence;
 };
 
+/// What else tells how long a turn takes.
+struct SpinHints {
+  std::optional<double> column_step = {};  ///< [rad] between two points of a beam
+  std::optional<double> about = {};        ///< [s] as other scans of the recording tell
+};
+
 /// `rotations[k]` is the rotation of the scan stamped `stamps[k]` [s]; consecutive scans, at least one. Stamps are
-/// nominal where nobody recorded them. `column_step` [rad] lies between two points of a beam, where that is known.
+/// nominal where nobody recorded them.
 SpinDecision measure_spin(std::span<const HeadRotation> rotations, std::span<const double> stamps, bool nominal_stamps,
-                          const std::optional<double>& column_step);
+                          const SpinHints& hints);
 
 /// [s] from the stamp to the first point: more than 0 where the first returns after a fixed cut are missing.
 double delay_of_first(const HeadRotation& rotation, double cut, double period);
