@@ -55,6 +55,15 @@ TEST(TrackJudge, BelievesWhatFits) {
   EXPECT_EQ(run.judge.unknown_for(), 0.0);
 }
 
+TEST(TrackJudge, ARunThatNeverFittedIsSaid) {
+  Drive drive;
+  TrackJudge judge;
+  Track last;
+  for (int i = 0; i < 10; ++i) last = judge.judge(drive.fitting(0.35));
+  EXPECT_EQ(last.state, TrackState::lost);
+  EXPECT_EQ(last.reason, TrackReason::poor_fit);
+}
+
 TEST(TrackJudge, ACoveredSensorCoastsIsLostAndFoundAgain) {
   Judged run;
   EXPECT_EQ(run.tell(run.drive.covered()).state, TrackState::coasting);

@@ -23,6 +23,8 @@ class RunningMedian {
     next_ = (next_ + 1) % most_;
   }
 
+  std::size_t size() const { return values_.size(); }
+
   /// 0 before any.
   double value() const {
     if (values_.empty()) return 0.0;
