@@ -59,7 +59,7 @@ TEST(TrackJudge, ARunThatNeverFittedIsSaid) {
   Drive drive;
   TrackJudge judge;
   Track last;
-  for (int i = 0; i < 10; ++i) last = judge.judge(drive.fitting(0.35));
+  for (int i = 0; i < 10; ++i) last = judge.judge(drive.fitting(0.3));
   EXPECT_EQ(last.state, TrackState::lost);
   EXPECT_EQ(last.reason, TrackReason::poor_fit);
 }

@@ -12,14 +12,14 @@ constexpr double kLeap = 60.0;       // [m/s^2] that no robot has
 constexpr double kTurnLeap = 150.0;  // [rad/s^2]
 constexpr std::size_t kStart = 4;    // scans until velocities are known
 constexpr std::size_t kSome = 3;     // fits whose median says something
-constexpr double kLeastFit = 0.4;    // of it: good runs of any pipeline keep above 0.42, lost ones fall to 0.3
+constexpr double kLeastFit = 0.35;   // of it: good runs of any pipeline keep above 0.4, lost ones fall to 0.3
 
 }  // namespace
 
 Track TrackJudge::judge(const OdometryResult& result) {
   const bool begins = sizes_.value() == 0;
   const double interval = begins ? 0.0 : result.stamp - last_.stamp;
-  if (!begins) recent_.add(fit_of(result.alignment));
+  if (!begins && !UsualFit::is_unmatched(result.alignment)) recent_.add(fit_of(result.alignment));
   const TrackReason reason = doubt(result, interval);
   track_ = reason == TrackReason::none ? believed(interval) : doubted(reason, result, interval);
   const Vector6d velocity = velocity_to(result, interval);
@@ -37,7 +37,7 @@ TrackReason TrackJudge::doubt(const OdometryResult& result, double interval) con
   if (usual_.is_unmatched(alignment)) return TrackReason::too_few_matches;
   if (result.ambiguous) return TrackReason::ambiguous;
   if (usual_.is_poor(alignment)) return TrackReason::poor_fit;
-  if (recent_.size() >= kSome && recent_.value() < kLeastFit) return TrackReason::poor_fit;
+  if (recent_.size() >= kSome && std::max(recent_.value(), fit_of(alignment)) < kLeastFit) return TrackReason::poor_fit;
   if (since_doubt_ < kStart || !(interval > 0)) return TrackReason::none;
   const Vector6d change = (velocity_to(result, interval) - last_.velocity) / interval;
   const bool leaps = change.head<3>().norm() > kTurnLeap || change.tail<3>().norm() > kLeap;

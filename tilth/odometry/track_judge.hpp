@@ -32,7 +32,7 @@ class TrackJudge {
 
   UsualFit usual_;
   RunningMedian sizes_{21};  // candidates of the scans that were believed
-  RunningMedian recent_{5};  // fits of all scans after the first
+  RunningMedian recent_{5};  // fits of the scans that were matched at all
   Last last_;
   Track track_;
   double unknown_ = 0.0;
