@@ -8,7 +8,7 @@ test: ## everything that scripts/test does
 	scripts/test
 
 bench: build ## time and accuracy, as the README's table has them
-	cmake --build build/release --target bench
+	scripts/bench --tilth build/release/tilth
 
 format: ## every C++ file
 	scripts/format

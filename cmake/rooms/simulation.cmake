@@ -1,3 +1,3 @@
 # Embree is needed inside the room only.
-find_package(embree 3)
+find_package(embree 3 REQUIRED)
 target_link_libraries(tilth_simulation PRIVATE embree)
