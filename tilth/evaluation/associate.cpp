@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <tilth/core/error.hpp>
+#include <tilth/core/median.hpp>
 #include <tilth/evaluation/associate.hpp>
 
 namespace tilth {
@@ -107,9 +108,7 @@ double gap_limit(const Trajectory& truth, const StampAssociationOptions& options
   std::vector<double> intervals;
   for (std::size_t i = 1; i < truth.size(); ++i) intervals.push_back(truth[i].stamp - truth[i - 1].stamp);
   if (intervals.empty()) return kShortGap;
-  const auto middle = intervals.begin() + std::ptrdiff_t(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return std::max(kShortGap, kMedianIntervals * *middle);
+  return std::max(kShortGap, kMedianIntervals * median(std::move(intervals)));
 }
 
 MatchedPoses associate(const Trajectory& truth, const Trajectory& estimate, const StampAssociationOptions& options) {

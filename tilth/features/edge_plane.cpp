@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <tilth/core/evenly_chosen.hpp>
 #include <tilth/core/voxel_table.hpp>
 #include <tilth/features/edge_plane.hpp>
 
@@ -62,14 +63,6 @@ Indices flattest_of_cells(const PointCloud& cloud, std::span<const float> curvat
   return flattest;
 }
 
-// At most `count` of `indices`, evenly spread over their order.
-Indices thinned(const Indices& indices, std::size_t count) {
-  if (indices.size() <= count) return indices;
-  Indices some(count);
-  for (std::size_t i = 0; i < count; ++i) some[i] = indices[indices.size() * i / count];
-  return some;
-}
-
 }  // namespace
 
 float corrected_curvature(const Eigen::Matrix3f& sigma) {
@@ -94,7 +87,7 @@ std::vector<std::uint32_t> select_edges(const PointCloud& cloud, std::span<const
 
 std::vector<std::uint32_t> select_planes(const PointCloud& cloud, std::span<const float> curvature,
                                          const FeatureOptions& options) {
-  return thinned(flattest_of_cells(cloud, curvature, options), std::size_t(options.planes));
+  return evenly_chosen<std::uint32_t>(flattest_of_cells(cloud, curvature, options), std::size_t(options.planes));
 }
 
 }  // namespace tilth

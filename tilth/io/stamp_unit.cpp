@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include <tilth/core/median.hpp>
 #include <tilth/io/stamp_unit.hpp>
 
 namespace tilth {
@@ -17,10 +18,7 @@ double median_interval(const Trajectory& trajectory) {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < trajectory.size(); ++i)
     intervals.push_back(trajectory[i].stamp - trajectory[i - 1].stamp);
-  if (intervals.empty()) return 0;
-  const auto middle = intervals.begin() + std::ptrdiff_t(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
+  return intervals.empty() ? 0 : median(std::move(intervals));
 }
 
 }  // namespace

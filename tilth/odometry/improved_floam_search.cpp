@@ -1,4 +1,5 @@
 // How the pipeline `improved_floam` finds a scan: from the motion expected on, or, where that is in doubt, from many.
+#include <tilth/core/evenly_chosen.hpp>
 #include <tilth/odometry/improved_floam.hpp>
 #include <tilth/odometry/motion_search.hpp>
 #include <tilth/preprocess/deskew.hpp>
@@ -37,7 +38,7 @@ AlignResult ImprovedFloam::try_from(const FeatureScan& few, const Pose& T_start,
 }
 
 ImprovedFloam::Registration ImprovedFloam::search(const FeatureScan& scan, const Registration& expected) {
-  const FeatureScan few{evenly_chosen(scan.features, kFewPatches), scan.stamp, scan.middle};
+  const FeatureScan few{evenly_chosen<SurfacePatch>(scan.features, kFewPatches), scan.stamp, scan.middle};
   const MotionInScan motion = in_scan(motion_.velocity(), scan.middle);
   const Pose T_expected = motion_.predict(scan.stamp);
   const double interval = scan.stamp - motion_.last_time();
@@ -60,7 +61,7 @@ ImprovedFloam::Registration ImprovedFloam::search(const FeatureScan& scan, const
 
 ImprovedFloam::Registration ImprovedFloam::search_start(const FeatureScan& scan, const Registration& from_rest) {
   const SearchWindow window = window_at_start(scan.stamp - motion_.last_time());
-  const FeatureScan few{evenly_chosen(scan.features, kFewPatches), scan.stamp, scan.middle};
+  const FeatureScan few{evenly_chosen<SurfacePatch>(scan.features, kFewPatches), scan.stamp, scan.middle};
   std::vector<Pose> starts{from_rest.alignment.T_target_source};
   const PatchMap at_rest = map_;
   for (const PoseCandidate& candidate :

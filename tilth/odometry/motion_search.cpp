@@ -24,14 +24,6 @@ SearchWindow window_at_start(double interval) {
   return {std::min(kSpeed * interval, kMostRadius), std::min(kYawSlack + kTurn * interval, std::numbers::pi)};
 }
 
-SurfacePatches evenly_chosen(const SurfacePatches& patches, std::size_t most) {
-  if (patches.size() <= most) return patches;
-  SurfacePatches chosen;
-  chosen.reserve(most);
-  for (std::size_t i = 0; i < most; ++i) chosen.push_back(patches[i * patches.size() / most]);
-  return chosen;
-}
-
 std::vector<FacingPoint> facing_points(const SurfacePatches& patches) {
   std::vector<FacingPoint> points;
   for (const SurfacePatch& patch : patches) points.push_back({patch.mean, patch.normal});

@@ -26,9 +26,6 @@ SearchWindow window_after(double interval, double speed);
 /// How far a robot may be from where it was `interval` [s] before, if nothing is known of its motion.
 SearchWindow window_at_start(double interval);
 
-/// At most `most` of the patches, evenly along the rings.
-SurfacePatches evenly_chosen(const SurfacePatches& patches, std::size_t most);
-
 std::vector<FacingPoint> facing_points(const SurfacePatches& patches);
 /// Of the surfaces that have a normal.
 std::vector<FacingPoint> facing_points(const PatchMap& map);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <tilth/core/evenly_chosen.hpp>
 #include <tilth/odometry/motion_search.hpp>
 #include <tilth/odometry/tilth_odometry.hpp>
 #include <tilth/preprocess/deskew.hpp>
@@ -37,8 +38,8 @@ ContinuousTimeAlignment TilthOdometry::align_to_map(const ScanPatches& scan, con
 
 ContinuousTimeAlignment TilthOdometry::align_to_map(const ScanPatches& scan, const MotionPrior& prior,
                                                     const MotionState& start) const {
-  return align_continuous_time(evenly_chosen(scan.patches, std::size_t(options_.max_patches)), start, prior, map_,
-                               options_.align);
+  return align_continuous_time(evenly_chosen<SurfacePatch>(scan.patches, std::size_t(options_.max_patches)), start,
+                               prior, map_, options_.align);
 }
 
 ContinuousTimeAlignment TilthOdometry::try_from(const SurfacePatches& few, const MotionPrior& prior,
@@ -50,7 +51,7 @@ ContinuousTimeAlignment TilthOdometry::try_from(const SurfacePatches& few, const
 
 ContinuousTimeAlignment TilthOdometry::search(const ScanPatches& scan, const MotionPrior& prior,
                                               const ContinuousTimeAlignment& expected) {
-  const SurfacePatches few = evenly_chosen(scan.patches, kFewPatches);
+  const SurfacePatches few = evenly_chosen<SurfacePatch>(scan.patches, kFewPatches);
   MotionState start = expected_state(prior, scan.middle());
   const SearchWindow window = window_after(prior.interval, prior.velocity.tail<3>().norm());
   const std::vector<FacingPoint> seen = facing_points(deskew(few, start.motion, scan.middle()));
@@ -102,7 +103,7 @@ void TilthOdometry::straighten_first(const Vector6d& velocity) {
 
 std::optional<Vector6d> TilthOdometry::search_start(const ScanPatches& scan, MotionPrior prior,
                                                     const ContinuousTimeAlignment& found) {
-  const SurfacePatches few = evenly_chosen(scan.patches, kFewPatches);
+  const SurfacePatches few = evenly_chosen<SurfacePatch>(scan.patches, kFewPatches);
   std::vector<Vector6d> velocities{found.motion.velocity};
   for (const PoseCandidate& candidate :
        search_poses(facing_points(world_.first_scan().patches), facing_points(scan.patches), Pose::Identity(),

@@ -1,10 +1,10 @@
 // How much of a scan agrees with the map it was registered to, and how much usually does.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include <tilth/core/median.hpp>
 #include <tilth/registration/align_result.hpp>
 
 namespace tilth {
@@ -26,13 +26,7 @@ class RunningMedian {
   std::size_t size() const { return values_.size(); }
 
   /// 0 before any.
-  double value() const {
-    if (values_.empty()) return 0.0;
-    std::vector<double> sorted = values_;
-    const auto middle = sorted.begin() + std::ptrdiff_t(sorted.size() / 2);
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    return *middle;
-  }
+  double value() const { return values_.empty() ? 0.0 : median(values_); }
 
  private:
   std::size_t most_, next_ = 0;

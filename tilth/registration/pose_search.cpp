@@ -5,6 +5,7 @@
 #include <numbers>
 #include <set>
 
+#include <tilth/core/evenly_chosen.hpp>
 #include <tilth/registration/pose_search.hpp>
 
 namespace tilth {
@@ -73,11 +74,7 @@ std::vector<FacingPoint> thinned(std::span<const FacingPoint> source, const Pose
     if (seen.insert({int(std::lround(at.x())), int(std::lround(at.y())), facing_of(p.normal)}).second)
       kept.push_back(p);
   }
-  const auto most = std::size_t(options.max_points);
-  if (kept.size() <= most) return kept;
-  std::vector<FacingPoint> chosen;
-  for (std::size_t i = 0; i < most; ++i) chosen.push_back(kept[i * kept.size() / most]);
-  return chosen;
+  return evenly_chosen<FacingPoint>(kept, std::size_t(options.max_points));
 }
 
 /// Scores of all shifts at one yaw, a row for each y.

@@ -6,6 +6,7 @@
 #include <zlib.h>
 
 #include <tilth/core/error.hpp>
+#include <tilth/core/evenly_chosen.hpp>
 #include <tilth/report/packed_map.hpp>
 
 namespace tilth {
@@ -31,13 +32,6 @@ std::uint64_t spread(std::uint64_t value) {
   value = (value | value << 8) & 0x100f00f00f00f00fU;
   value = (value | value << 4) & 0x10c30c30c30c30c3U;
   return (value | value << 2) & 0x1249249249249249U;
-}
-
-std::vector<MapPoint> thinned(std::span<const MapPoint> points, std::size_t most) {
-  const std::size_t count = std::min(points.size(), most);
-  std::vector<MapPoint> kept(count);
-  for (std::size_t i = 0; i < count; ++i) kept[i] = points[i * points.size() / count];
-  return kept;
 }
 
 float brightest(const std::vector<MapPoint>& points) {
@@ -145,7 +139,7 @@ PackedLayer pack_layer(std::vector<QuantisedPoint> points) {
 PackedMap pack_map(std::span<const MapPoint> points, std::size_t most) {
   PackedMap map;
   map.total = points.size();
-  const std::vector<MapPoint> kept = thinned(points, most);
+  const std::vector<MapPoint> kept = evenly_chosen(points, most);
   map.count = kept.size();
   if (kept.empty()) return map;
   fit(map, kept);

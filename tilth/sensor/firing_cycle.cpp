@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include <tilth/core/median.hpp>
 #include <tilth/sensor/firing_cycle.hpp>
 
 namespace tilth {
@@ -38,11 +39,9 @@ bool near(double value, double wanted, double tolerance) {
 
 std::optional<double> column_step(std::span<const Eigen::Vector3d> points, std::span<const std::uint16_t> rings) {
   if (points.empty() || rings.size() != points.size()) return std::nullopt;
-  std::vector<double> steps = steps_of_beams(points, rings);
+  const std::vector<double> steps = steps_of_beams(points, rings);
   if (steps.size() < kFewestSteps) return std::nullopt;
-  const auto middle = steps.begin() + std::ptrdiff_t(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  const double usual = *middle;
+  const double usual = median(steps);
   double sum = 0.0;  // of those without a lost return between: azimuths come in coarse numbers, their mean is fine
   std::size_t count = 0;
   for (const double step : steps) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <tilth/core/error.hpp>
+#include <tilth/core/median.hpp>
 #include <tilth/sensor/device_packet.hpp>
 #include <tilth/sensor/recognise_packets.hpp>
 
@@ -90,9 +91,7 @@ double clock_step(std::span<const DataPacket> data) {
     if (short_ones && data[i].microseconds() > data[i - 1].microseconds())
       steps.push_back((data[i].microseconds() - data[i - 1].microseconds()) * 1e-6);
   }
-  if (steps.empty()) return 0.0;
-  std::nth_element(steps.begin(), steps.begin() + std::ptrdiff_t(steps.size() / 2), steps.end());
-  return steps[steps.size() / 2];
+  return steps.empty() ? 0.0 : median(std::move(steps));
 }
 
 /// [rad] mean distance of the told angles from those of the row.

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include <tilth/core/median.hpp>
 #include <tilth/sensor/beams.hpp>
 #include <tilth/sensor/firing_order.hpp>
 #include <tilth/sensor/ring_convention.hpp>
@@ -21,12 +22,6 @@ constexpr double kNear = 2.0;  ///< [m] nearer than this, elevation is blurred b
 
 bool is_ring(double value) {
   return value >= 0.0 && value <= kLargestRing && value == std::floor(value);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// [rad] elevations of each value of the ring field in the frame of the sensor; none where a value can be no ring.

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <tilth/core/median.hpp>
 #include <tilth/sensor/scan_pace.hpp>
-#include <tilth/sensor/time_reference.hpp>
 
 namespace tilth {
 namespace {

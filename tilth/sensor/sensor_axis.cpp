@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <tilth/core/median.hpp>
 #include <tilth/sensor/sensor_axis.hpp>
 
 namespace tilth {
@@ -51,12 +52,6 @@ struct ArcSystem {
     error = std::sqrt(std::max(0.0, squares - n * mean_q * mean_q) / width);
   }
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<double> errors(const RingArcs& arcs, const SensorAxis& at) {
   const Across across(at.axis);

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include <tilth/core/median.hpp>
 #include <tilth/sensor/firing_cycle.hpp>
 #include <tilth/sensor/spin.hpp>
 
@@ -18,12 +19,6 @@ constexpr double kUsualPeriod = 0.1;                             ///< [s]
 constexpr double kUsual = 0.05;                                  ///< relative: a period as near to it is the usual one
 constexpr double kFixedCut = 0.5 * kDegree;  ///< scans that begin within this are cut at a fixed azimuth
 constexpr double kContinues = 2 * kDegree;   ///< a scan begins where the one before ended
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// [rad] turned from the end of `a` to the beginning of `b`, as the nearest of all whole turns.
 double gap(const HeadRotation& a, const HeadRotation& b) {

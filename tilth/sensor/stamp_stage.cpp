@@ -28,26 +28,24 @@ StampReading reading_of(std::size_t index, const StampedRecords& records) {
 }
 
 StampStage::StampStage(std::span<const StampReading> first)
-    : origin_(decide_stamp_origin(first).origin),
-      decision_(decide_stamp_origin(first).sentence),
-      repair_(readings_by(origin_, first)) {}
+    : origin_(decide_stamp_origin(first)), repair_(readings_by(origin_.origin, first)) {}
 
 RecordingTraits StampStage::traits(RecordingTraits known) const {
-  known.end_stamps = origin_ == StampOrigin::recorder;
-  known.nominal_stamps = known.nominal_stamps || origin_ == StampOrigin::order;
+  known.end_stamps = origin_.origin == StampOrigin::recorder;
+  known.nominal_stamps = known.nominal_stamps || origin_.origin == StampOrigin::order;
   return known;
 }
 
 CloudStamp StampStage::stamp_of(const CloudStamp& recorded, std::size_t index) const {
-  if (origin_ == StampOrigin::recorder) return {recorded.arrival.value_or(recorded.stamp), recorded.arrival};
-  if (origin_ == StampOrigin::order) return {kNominalStep * double(index), std::nullopt};
+  if (origin_.origin == StampOrigin::recorder) return {recorded.arrival.value_or(recorded.stamp), recorded.arrival};
+  if (origin_.origin == StampOrigin::order) return {kNominalStep * double(index), std::nullopt};
   return recorded;
 }
 
 void StampStage::set_stamps(std::span<StampedRecords> records) const {
   std::vector<StampReading> readings;
   for (StampedRecords& record : records) readings.push_back(reading_of(readings.size(), record));
-  const std::vector<std::optional<double>> stamps = repaired_stamps(readings_by(origin_, readings));
+  const std::vector<std::optional<double>> stamps = repaired_stamps(readings_by(origin_.origin, readings));
   for (std::size_t k = 0; k < records.size(); ++k) {
     records[k].stamp = stamp_of(records[k].stamp, k);
     if (stamps[k]) records[k].stamp.stamp = *stamps[k];

@@ -30,8 +30,8 @@ class StampStage {
   /// From the first messages of the recording, at least one.
   explicit StampStage(std::span<const StampReading> first);
 
-  const std::string& decision() const { return decision_; }  ///< empty: the stamps are as recorded
-  RecordingTraits traits(RecordingTraits known) const;       ///< with what the stamps are
+  const std::string& decision() const { return origin_.sentence; }  ///< empty: the stamps are as recorded
+  RecordingTraits traits(RecordingTraits known) const;              ///< with what the stamps are
 
   /// The stamp of record `index` on the clock that was decided on; it may still be wrong.
   CloudStamp stamp_of(const CloudStamp& recorded, std::size_t index) const;
@@ -47,8 +47,7 @@ class StampStage {
   std::vector<std::string> notices() const { return repair_.findings().sentences(); }
 
  private:
-  StampOrigin origin_ = StampOrigin::own;
-  std::string decision_;
+  StampOriginDecision origin_;
   StampRepair repair_;
   std::deque<StampedMessage> waiting_;
 };

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include <tilth/core/median.hpp>
 #include <tilth/sensor/point_fields.hpp>
 #include <tilth/sensor/time_convention.hpp>
 #include <tilth/sensor/time_reference.hpp>

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <iterator>
 
+#include <tilth/core/median.hpp>
 #include <tilth/sensor/time_reference.hpp>
 
 namespace tilth {
@@ -40,12 +41,6 @@ bool spans_match_step_before(std::span<const ValueRange> ranges, std::span<const
 }
 
 }  // namespace
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 ValueRange range_of(std::span<const double> all) {
   std::vector<double> values;

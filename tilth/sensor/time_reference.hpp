@@ -20,7 +20,6 @@ struct ValueRange {
 /// Zeros are left out where most values are not zero (lost packets), values that are not finite always.
 ValueRange range_of(std::span<const double> values);
 
-double median(std::vector<double> values);  ///< `values` must not be empty
 double median_span(std::span<const ValueRange> ranges);
 double median_middle(std::span<const ValueRange> ranges);
 

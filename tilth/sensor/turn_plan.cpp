@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <numbers>
 
+#include <tilth/core/median.hpp>
 #include <tilth/sensor/azimuth_arc.hpp>
 #include <tilth/sensor/firing_order.hpp>
-#include <tilth/sensor/time_reference.hpp>
 #include <tilth/sensor/turns.hpp>
 
 namespace tilth {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <tilth/core/median.hpp>
 #include <tilth/sources/scan_survey.hpp>
 
 namespace tilth {
@@ -61,9 +62,7 @@ double ScanSurvey::step() const {
   std::vector<double> steps;
   for (std::size_t i = 1; i < stamps_.size(); ++i) steps.push_back(stamps_[i] - stamps_[i - 1]);
   if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + std::ptrdiff_t(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return median(std::move(steps));
 }
 
 std::vector<Gap> ScanSurvey::gaps() const {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include <tilth/core/median.hpp>
 #include <tilth/sources/time_unit.hpp>
 
 namespace tilth {
@@ -30,10 +31,7 @@ std::vector<double> steps_forward(std::span<const double> times) {
 
 double usual_step(std::span<const double> times) {
   std::vector<double> steps = steps_forward(times);
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + std::ptrdiff_t(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return steps.empty() ? 0.0 : median(std::move(steps));
 }
 
 bool is_regular(std::span<const double> times) {
