@@ -66,6 +66,17 @@ TEST(StampOrigin, IsTheOrderWhereNoClockTellsScansApart) {
   EXPECT_NE(decision.sentence.find("ASSUMED"), std::string::npos);
 }
 
+TEST(StampOrigin, IsNotTheirOwnWhereTheyRunBackwards) {
+  const auto backwards = [](double t) { return 3.4e9 - t; };
+  EXPECT_EQ(decide_stamp_origin(readings(backwards, true)).origin, StampOrigin::recorder);
+  const StampOriginDecision assumed = decide_stamp_origin(readings(backwards, false));
+  EXPECT_EQ(assumed.origin, StampOrigin::order);
+  EXPECT_NE(assumed.sentence.find("run backwards"), std::string::npos) << assumed.sentence;
+  std::vector<StampReading> once = readings(own, false);
+  once[4].stamp -= 3.0;
+  EXPECT_EQ(decide_stamp_origin(once).origin, StampOrigin::own) << "a single one is mended";
+}
+
 TEST(StampOrigin, OfScansStoredTwiceIsTheirOwn) {
   auto twice = readings(own, true);
   for (std::size_t k = 1; k < 8; k += 2) {

@@ -1,4 +1,5 @@
 // Times of scans from the names of their files and from a list beside them.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <io/expect_error.hpp>
@@ -162,6 +163,15 @@ TEST(ListedTimes, InWholeSecondsAreSpreadEvenly) {
       listed_times(whole, counters(60), "", 5.0)->times[1] - listed_times(whole, counters(60), "", 5.0)->times[0], 0.2,
       1e-9)
       << "as the rate that is given";
+}
+
+TEST(ListedTimes, ThatRunBackwardsAreRefused) {
+  std::vector<double> times = list(6);
+  std::reverse(times.begin(), times.end());
+  expect_error([&] { listed_times(times, counters(6), "times.txt", 0.0); }, {"times.txt", "runs backwards", "--rate"});
+  times = list(6);
+  std::swap(times[2], times[3]);
+  EXPECT_TRUE(listed_times(times, counters(6), "times.txt", 0.0)) << "single ones are mended";
 }
 
 TEST(ListedTimes, ThatNeverAdvanceTellNothing) {

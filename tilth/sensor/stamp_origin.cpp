@@ -7,10 +7,11 @@ namespace tilth {
 namespace {
 
 constexpr double kStanding = 1.0 / 3.0;  ///< of the steps are 0: the stamps do not tell scans apart
+constexpr double kFalling = 0.5;         ///< of the steps lead back: the stamps are of another order
 
 /// Steps from one scan to the next, twins left out.
 struct Steps {
-  std::size_t all = 0, standing = 0, recorded = 0;  ///< recorded: the recorder's time went on
+  std::size_t all = 0, standing = 0, falling = 0, recorded = 0;  ///< recorded: the recorder's time went on
 };
 
 Steps steps_between(std::span<const StampReading> scans) {
@@ -21,6 +22,7 @@ Steps steps_between(std::span<const StampReading> scans) {
     if (are_twins(a, b)) continue;
     ++steps.all;
     steps.standing += standing ? 1 : 0;
+    steps.falling += b.stamp < a.stamp ? 1 : 0;
     steps.recorded += a.arrival && b.arrival && *b.arrival > *a.arrival ? 1 : 0;
   }
   return steps;
@@ -37,8 +39,10 @@ StampOriginDecision decide_stamp_origin(std::span<const StampReading> first) {
   const bool never_set = std::all_of(first.begin(), first.end(), [](const StampReading& r) { return r.stamp == 0.0; });
   const bool lone = steps.all == 0 && never_set && first.front().arrival;
   const bool standing = steps.standing >= 2 && double(steps.standing) >= kStanding * double(steps.all);
-  if (!lone && !standing) return {};
+  const bool falling = steps.falling >= 2 && double(steps.falling) > kFalling * double(steps.all);
+  if (!lone && !standing && !falling) return {};
   const std::string fault = never_set              ? "were never set"
+                            : falling              ? "run backwards"
                             : whole_seconds(first) ? "are whole seconds"
                                                    : "stand still between scans";
   if (lone || 2 * steps.recorded > steps.all) {

@@ -60,6 +60,16 @@ std::size_t standing_steps(const std::vector<double>& times) {
   return count;
 }
 
+/// Times of which most are earlier than the one before tell nothing of scans in this order.
+void refuse_backwards(const std::vector<double>& times, const std::string& where) {
+  std::size_t back = 0;
+  for (std::size_t k = 1; k < times.size(); ++k) back += times[k] < times[k - 1] ? 1 : 0;
+  if (back < 2 || 2 * back <= times.size() - 1) return;
+  throw Error(where, "runs backwards, from " + number("%.3f s", times.front()) + " to " +
+                         number("%.3f s", times.back()) +
+                         ": bring its lines into the order of the scans, or leave it out and give --rate");
+}
+
 /// [s] the period of scans at a usual rate of sensors, if `step` is near it.
 double known_step(double step) {
   constexpr std::array<double, 4> kUsual{0.05, 0.1, 0.2, 0.5};
@@ -94,6 +104,7 @@ std::optional<ListedTimes> listed_times(const std::vector<double>& list, std::sp
   const std::string in_unit = unit.scale == 1.0 ? "" : ", in " + std::string(unit.name);
   ListedTimes result = matched(std::move(times), names, where);
   result.decision = in_unit + result.decision;
+  refuse_backwards(result.times, where);
   const std::size_t standing = standing_steps(result.times);
   if (standing < 2 || double(standing) < kStanding * double(result.times.size() - 1)) return result;
   std::optional<ListedTimes> even = spread(result.times, rate);

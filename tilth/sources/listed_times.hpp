@@ -16,7 +16,8 @@ struct ListedTimes {
 
 /// The times of the files with `names` (without extension), in their order, out of `list`, the file `where`. Longer
 /// lists are matched by the counters in the names; where a few times are missing at the end, they are continued. `rate`
-/// [Hz]: the scans', 0: not known. Nothing where the list tells no times. Throws Error where it is shorter than that.
+/// [Hz]: the scans', 0: not known. Nothing where the list tells no times. Throws Error where it is shorter than that,
+/// and where most of its times are earlier than the one before.
 std::optional<ListedTimes> listed_times(const std::vector<double>& list, std::span<const std::string> names,
                                         const std::string& where, double rate);
 
