@@ -31,9 +31,9 @@
 #include <tilth/io/unpack.hpp>
 #include <tilth/messages/packet_message.hpp>
 #include <tilth/messages/point_cloud2.hpp>
+#include <tilth/recording/recording_decoder.hpp>
 #include <tilth/sensor/device_packet.hpp>
 #include <tilth/sensor/packet_decoder.hpp>
-#include <tilth/sensor/recording_decoder.hpp>
 
 namespace tilth::fuzz {
 

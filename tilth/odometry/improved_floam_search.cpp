@@ -42,13 +42,11 @@ ImprovedFloam::Registration ImprovedFloam::search(const FeatureScan& scan, const
   const MotionInScan motion = in_scan(motion_.velocity(), scan.middle);
   const Pose T_expected = motion_.predict(scan.stamp);
   const double interval = scan.stamp - motion_.last_time();
-  std::vector<Pose> starts{T_expected, motion_.last_pose()};
-  const std::vector<FacingPoint> seen = facing_points(deskew(few.features, motion, scan.middle));
+  const SurfacePatches seen = deskew(few.features, motion, scan.middle);
   const SearchWindow window = window_after(interval, motion_.velocity().tail<3>().norm());
-  for (const PoseCandidate& candidate : search_poses(facing_points(map_), seen, T_expected, window, {}))
-    starts.push_back(candidate.T_target_source);
   std::vector<AlignResult> tried;
-  for (const Pose& T : starts) tried.push_back(try_from(few, T, motion));
+  for (const Pose& T : poses_to_try(map_, seen, T_expected, motion_.last_pose(), window))
+    tried.push_back(try_from(few, T, motion));
   const Choice choice = choose(tried);
   ambiguous_ = choice.ambiguous && (choice.best > 0 || interval > kPredictable);
   Registration found = expected;

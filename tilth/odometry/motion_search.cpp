@@ -36,6 +36,15 @@ std::vector<FacingPoint> facing_points(const PatchMap& map) {
   return points;
 }
 
+std::vector<Pose> poses_to_try(const PatchMap& map, const SurfacePatches& seen, const Pose& T_map_expected,
+                               const Pose& T_map_last, const SearchWindow& window) {
+  std::vector<Pose> poses{T_map_expected, T_map_last};
+  for (const PoseCandidate& candidate :
+       search_poses(facing_points(map), facing_points(seen), T_map_expected, window, {}))
+    poses.push_back(candidate.T_target_source);
+  return poses;
+}
+
 Choice choose(std::span<const AlignResult> registrations) {
   constexpr double kSamePlace = 0.3, kSameHeading = 0.05;  // [m] [rad]
   constexpr double kAlike = 0.93;                          // of the best fit

@@ -30,6 +30,10 @@ std::vector<FacingPoint> facing_points(const SurfacePatches& patches);
 /// Of the surfaces that have a normal.
 std::vector<FacingPoint> facing_points(const PatchMap& map);
 
+/// The pose expected, the last one, and the best candidates that the map has for `seen` about the first of them.
+std::vector<Pose> poses_to_try(const PatchMap& map, const SurfacePatches& seen, const Pose& T_map_expected,
+                               const Pose& T_map_last, const SearchWindow& window);
+
 /// Which of the registrations fits best, and whether it can be told from the others.
 struct Choice {
   std::size_t best = 0;

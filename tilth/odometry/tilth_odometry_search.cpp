@@ -54,12 +54,9 @@ ContinuousTimeAlignment TilthOdometry::search(const ScanPatches& scan, const Mot
   const SurfacePatches few = evenly_chosen<SurfacePatch>(scan.patches, kFewPatches);
   MotionState start = expected_state(prior, scan.middle());
   const SearchWindow window = window_after(prior.interval, prior.velocity.tail<3>().norm());
-  const std::vector<FacingPoint> seen = facing_points(deskew(few, start.motion, scan.middle()));
-  std::vector<Pose> starts{start.T_map_lidar, prior.T_map_last};
-  for (const PoseCandidate& candidate : search_poses(facing_points(map_), seen, start.T_map_lidar, window, {}))
-    starts.push_back(candidate.T_target_source);
+  const SurfacePatches seen = deskew(few, start.motion, scan.middle());
   std::vector<ContinuousTimeAlignment> tried;
-  for (const Pose& T : starts) {
+  for (const Pose& T : poses_to_try(map_, seen, start.T_map_lidar, prior.T_map_last, window)) {
     start.T_map_lidar = T;
     tried.push_back(try_from(few, prior, start));
   }

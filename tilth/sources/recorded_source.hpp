@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
-#include <tilth/sensor/recording_decoder.hpp>
-#include <tilth/sensor/stamp_stage.hpp>
-#include <tilth/sensor/turn_stage.hpp>
+#include <tilth/recording/recording_decoder.hpp>
+#include <tilth/recording/stamp_stage.hpp>
+#include <tilth/recording/turn_stage.hpp>
 #include <tilth/sources/scan_source.hpp>
 
 namespace tilth {

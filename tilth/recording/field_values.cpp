@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include <tilth/sensor/field_values.hpp>
+#include <tilth/recording/field_values.hpp>
 #include <tilth/sensor/time_reference.hpp>
 
 namespace tilth {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <tilth/sensor/record_mender.hpp>
+#include <tilth/recording/record_mender.hpp>
 #include <tilth/sensor/scan_decoder.hpp>
 
 namespace tilth {

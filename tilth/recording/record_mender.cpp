@@ -2,11 +2,11 @@
 #include <cstdio>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/byte_order.hpp>
-#include <tilth/sensor/flat_cloud.hpp>
-#include <tilth/sensor/map_coordinates.hpp>
-#include <tilth/sensor/record_edit.hpp>
-#include <tilth/sensor/record_mender.hpp>
+#include <tilth/recording/byte_order.hpp>
+#include <tilth/recording/flat_cloud.hpp>
+#include <tilth/recording/map_coordinates.hpp>
+#include <tilth/recording/record_edit.hpp>
+#include <tilth/recording/record_mender.hpp>
 
 namespace tilth {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tilth/sensor/turns.hpp>
+#include <tilth/recording/turns.hpp>
 
 namespace tilth {
 

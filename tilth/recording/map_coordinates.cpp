@@ -3,9 +3,9 @@
 #include <limits>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/coordinate_offset.hpp>
-#include <tilth/sensor/map_coordinates.hpp>
-#include <tilth/sensor/record_edit.hpp>
+#include <tilth/recording/coordinate_offset.hpp>
+#include <tilth/recording/map_coordinates.hpp>
+#include <tilth/recording/record_edit.hpp>
 
 namespace tilth {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Cholesky>
 
-#include <tilth/sensor/coordinate_offset.hpp>
+#include <tilth/recording/coordinate_offset.hpp>
 
 namespace tilth {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <tilth/sensor/stamp_repair.hpp>
+#include <tilth/recording/stamp_repair.hpp>
 
 namespace tilth {
 namespace {

@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include <tilth/core/median.hpp>
+#include <tilth/recording/turns.hpp>
 #include <tilth/sensor/azimuth_arc.hpp>
 #include <tilth/sensor/firing_order.hpp>
-#include <tilth/sensor/turns.hpp>
 
 namespace tilth {
 namespace {

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include <tilth/sensor/stamp_findings.hpp>
+#include <tilth/recording/stamp_findings.hpp>
 
 namespace tilth {
 namespace {

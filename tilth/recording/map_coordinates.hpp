@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 
 #include <tilth/core/point_records.hpp>
-#include <tilth/sensor/field_values.hpp>
+#include <tilth/recording/field_values.hpp>
 
 namespace tilth {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <tilth/recording/stamp_findings.hpp>
 #include <tilth/sensor/scan_pace.hpp>
-#include <tilth/sensor/stamp_findings.hpp>
 
 namespace tilth {
 

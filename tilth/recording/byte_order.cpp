@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tilth/sensor/byte_order.hpp>
-#include <tilth/sensor/record_edit.hpp>
+#include <tilth/recording/byte_order.hpp>
+#include <tilth/recording/record_edit.hpp>
 
 namespace tilth {
 namespace {

@@ -1,7 +1,7 @@
 #include <iterator>
 #include <utility>
 
-#include <tilth/sensor/turn_stage.hpp>
+#include <tilth/recording/turn_stage.hpp>
 
 namespace tilth {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <tilth/recording/turn_stage.hpp>
 #include <tilth/sensor/azimuth_arc.hpp>
 #include <tilth/sensor/scan_decoder.hpp>
-#include <tilth/sensor/turn_stage.hpp>
 
 namespace tilth {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <tilth/sensor/recording_decoder.hpp>
+#include <tilth/recording/recording_decoder.hpp>
 
 namespace tilth {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include <tilth/recording/stamp_repair.hpp>
 #include <tilth/sensor/scan_decoder.hpp>
 #include <tilth/sensor/stamp_origin.hpp>
-#include <tilth/sensor/stamp_repair.hpp>
 
 namespace tilth {
 

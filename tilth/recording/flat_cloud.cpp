@@ -5,8 +5,8 @@
 #include <Eigen/Eigenvalues>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/flat_cloud.hpp>
-#include <tilth/sensor/record_edit.hpp>
+#include <tilth/recording/flat_cloud.hpp>
+#include <tilth/recording/record_edit.hpp>
 
 namespace tilth {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include <tilth/sensor/record_edit.hpp>
-#include <tilth/sensor/record_mender.hpp>
+#include <tilth/recording/record_edit.hpp>
+#include <tilth/recording/record_mender.hpp>
 
 namespace tilth {
 namespace {

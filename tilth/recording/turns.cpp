@@ -4,9 +4,9 @@
 #include <numeric>
 #include <utility>
 
+#include <tilth/recording/turns.hpp>
 #include <tilth/sensor/azimuth_arc.hpp>
 #include <tilth/sensor/firing_order.hpp>
-#include <tilth/sensor/turns.hpp>
 
 namespace tilth {
 namespace {

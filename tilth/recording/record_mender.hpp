@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <tilth/sensor/field_values.hpp>
+#include <tilth/recording/field_values.hpp>
 #include <tilth/sensor/length_unit.hpp>
 #include <tilth/sensor/scan_decoder.hpp>
 

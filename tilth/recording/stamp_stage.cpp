@@ -2,7 +2,7 @@
 #include <string_view>
 #include <utility>
 
-#include <tilth/sensor/stamp_stage.hpp>
+#include <tilth/recording/stamp_stage.hpp>
 
 namespace tilth {
 namespace {

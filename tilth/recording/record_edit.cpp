@@ -2,7 +2,7 @@
 #include <array>
 #include <cstring>
 
-#include <tilth/sensor/record_edit.hpp>
+#include <tilth/recording/record_edit.hpp>
 
 namespace tilth {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tilth/sensor/stamp_repair.hpp>
+#include <tilth/recording/stamp_repair.hpp>
 
 namespace tilth {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/recording_decoder.hpp>
+#include <tilth/recording/recording_decoder.hpp>
 
 namespace tilth {
 namespace {
