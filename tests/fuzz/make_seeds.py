@@ -245,6 +245,10 @@ def main():
           "  relative_file_paths:\n    - bag_0.mcap\n    - sub/bag_1.mcap.zstd\n  message_count: 2\n")
     write("rosbag2_metadata", "empty_storage.yaml", "rosbag2_bagfile_information:\n  storage_identifier: \"\"\n")
     write("times_file", "times.txt", "0.0\n0.1\n1e-1\n")
+    write("beam_file", "beams.yaml", "# measured minus true\nversion: 1\nrange: [0.02, -0.01]\nelevation: [0.15, -0.1]\n"
+          "azimuth: []\nencoder: [0.03, 0, 0.01, -0.01]\nrange_scale: 0.001\nwalk: 0.02\nbright: 150\n")
+    triangle = "".join("  - [" + "0, " * i + "1e-6]\n" for i in range(7))
+    write("beam_file", "covariance.yaml", "version: 1\nrange: [0.02]\ndeviations: {range: [0.001]}\ncovariance:\n" + triangle)
     write("config", "config.yaml", "pipeline: improved_floam\nsor:\n  k: 8\n  alpha: 1.0\nlist: [1, 2]\nanchor: &a {b: c}\n")
 
 

@@ -14,6 +14,7 @@
 
 #include "temporary_file.hpp"
 #include <tilth/core/error.hpp>
+#include <tilth/io/beam_file.hpp>
 #include <tilth/io/config_file.hpp>
 #include <tilth/io/date_times_file.hpp>
 #include <tilth/io/g2o.hpp>
@@ -165,6 +166,12 @@ inline void config(Bytes bytes) {
   read_config(TemporaryFile(bytes).path());
 }
 
+inline void beam_file(Bytes bytes) {
+  const BeamEstimate estimate = parse_beams({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "fuzzed");
+  require(estimate.model.beams() <= 256 && estimate.model.bright > 0 && estimate.covariance.allFinite());
+  require(parameters_of(estimate.model, estimate.model.beams()).allFinite());
+}
+
 inline void device_packet(Bytes bytes) {
   const PacketKind kind = kind_of(bytes);
   if (kind == PacketKind::device) {
@@ -202,6 +209,7 @@ inline constexpr std::array kTargets{
     Target{"times_file", times_file},
     Target{"date_times_file", date_times_file},
     Target{"config", config},
+    Target{"beam_file", beam_file},
     Target{"point_cloud2", point_cloud2},
     Target{"point_cloud2_cdr", point_cloud2_cdr},
     Target{"packet_message", packet_message},

@@ -41,7 +41,7 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
     {"embree", {"tilth/simulation/mesh_world.cpp"}},
     {"sdf/", {"tilth/gazebo/"}},
     {"assimp/", {"tilth/gazebo/mesh_file.cpp"}},
-    {"yaml-cpp/", {"tilth/io/config_file.cpp", "tilth/io/rosbag2_metadata.cpp"}},
+    {"yaml-cpp/", {"tilth/io/beam_file.cpp", "tilth/io/config_file.cpp", "tilth/io/rosbag2_metadata.cpp"}},
     {"lz4", {"tilth/io/"}},
     {"bzlib", {"tilth/io/"}},
     {"pcap/", {"tilth/io/pcap.cpp"}},
