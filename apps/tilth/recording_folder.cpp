@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include <tilth/io/beam_file.hpp>
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/trajectory_file.hpp>
 
@@ -87,6 +88,7 @@ void RecordingFolder::write_truth(const Simulator& simulator) {
   for (std::size_t i = 0; i < simulator.size(); ++i) stamps.push_back(simulator.stamp(i));
   write_times(folder_ / "times.txt", stamps);
   write_tum(folder_ / "truth.tum", simulator.truth());
+  write_beams(folder_ / "beams.yaml", {simulator.beams(), {}});
   write_text(folder_ / "scene" / "mesh.ply", ply_of(simulator.world().mesh()));
 }
 

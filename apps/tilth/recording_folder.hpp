@@ -1,5 +1,5 @@
-// The folder of a simulated recording: scans (or one bag or network capture), times.txt, truth.tum, labels, the scene's
-// mesh and how to make it again.
+// The folder of a simulated recording: scans (or one bag or network capture), times.txt, truth.tum, beams.yaml, labels,
+// the scene's mesh and how to make it again.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@ class RecordingFolder {
 
   /// One scan and its labels, in the order of their indices.
   void write(std::size_t index, const LabelledScan& labelled);
-  void write_truth(const Simulator& simulator);  ///< times.txt, truth.tum, scene/mesh.ply
+  void write_truth(const Simulator& simulator);  ///< times.txt, truth.tum, beams.yaml, scene/mesh.ply
   void write_recipe(std::string_view scene, const SimulationOptions& options);
   void close();  ///< only then does a bag or capture stand under its name
 

@@ -87,6 +87,8 @@ void add_simulate(CLI::App& app, int&) {
   add_setting(*command, *arguments, "seed", "Of the scene and of the noise");
   add_setting(*command, *arguments, "duration", "[s] at most");
   add_setting(*command, *arguments, "noise", "[m] standard deviation of a range");
+  add_setting(*command, *arguments, "beams",
+              "Constant errors of the beams: ideal, good or worn; beam_range and others below override single ones");
   add_setting(*command, *arguments, "path", "TUM file of the sensor's poses, instead of the scene's own way");
   add_setting(*command, *arguments, "waypoints",
               "\"x,y[,z];x,y[,z]\" [m] to drive through, instead of the scene's own way");

@@ -7,8 +7,10 @@
 
 #include "program.hpp"
 #include <tilth/core/trajectory.hpp>
+#include <tilth/io/beam_file.hpp>
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/trajectory_file.hpp>
+#include <tilth/simulation/beam_flaws.hpp>
 
 namespace tilth::app {
 namespace {
@@ -94,17 +96,36 @@ TEST_F(Simulate, AWorldAlongWayPoints) {
 }
 
 TEST_F(Simulate, ItsRecipeMakesTheSameAgain) {
-  ASSERT_EQ(room({"--waypoints", "-3,0;3,0", "--duration", "1", "--seed", "4", "--set", "columns=100"}).exit_code, 0);
+  ASSERT_EQ(room({"--waypoints", "-3,0;3,0", "--duration", "1", "--seed", "4", "--beams", "worn", "--set",
+                  "columns=100", "walk=0.01"})
+                .exit_code,
+            0);
   const std::string recipe = text_of(folder_ / "out" / "recipe.txt");
   std::string command = recipe.substr(recipe.find("\ntilth ") + 1);
   command = command.substr(0, command.find('\n'));
   command.replace(0, 5, TILTH_BINARY);
   command.replace(command.find("--out DIR"), 9, "--quiet --out " + path("again"));
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
-  for (const char* file :
-       {"truth.tum", "times.txt", "recipe.txt", "scans/000003.pcd", "labels/000003.bin", "scene/mesh.ply"}) {
+  for (const char* file : {"truth.tum", "times.txt", "beams.yaml", "recipe.txt", "scans/000003.pcd",
+                           "labels/000003.bin", "scene/mesh.ply"}) {
     EXPECT_EQ(text_of(folder_ / "out" / file), text_of(folder_ / "again" / file)) << file;
   }
+}
+
+TEST_F(Simulate, TheErrorsOfTheBeamsAreWrittenOut) {
+  ASSERT_EQ(room({"--waypoints", "-3,0;3,0", "--duration", "1", "--beams", "worn", "--set", "walk=0.01", "beam_seed=9"})
+                .exit_code,
+            0);
+  BeamFlawOptions flaws = flaws_of(BeamPreset::worn);
+  flaws.walk = 0.01;
+  const BeamModel drawn = draw_beams(flaws, 16, 9), written = read_beams(folder_ / "out" / "beams.yaml").model;
+  EXPECT_EQ(written.range, drawn.range);
+  EXPECT_EQ(written.elevation, drawn.elevation);
+  EXPECT_EQ(written.encoder, drawn.encoder);
+  EXPECT_EQ(written.walk, 0.01);
+  EXPECT_EQ(written.bright, drawn.bright);
+  expect_refused(room({"--waypoints", "-3,0;3,0", "--sensor", "rosette", "--beams", "worn"}), {"sensor rosette"});
+  expect_refused(room({"--waypoints", "-3,0;3,0", "--beams", "bent"}), {"option beams", "ideal | good | worn"});
 }
 
 TEST_F(Simulate, AlongATrajectoryFile) {

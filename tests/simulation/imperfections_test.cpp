@@ -32,7 +32,7 @@ NoiseOptions nothing() {
 }
 
 LabelledScan scan_of(const World& world, const NoiseOptions& options, std::uint64_t index = 0) {
-  return simulate_scan(world, vlp16(), {{0, Pose::Identity()}}, options, {0, 5, index});
+  return simulate_scan(world, {vlp16()}, {{0, Pose::Identity()}}, options, {0, 5, index});
 }
 
 /// Of all beams of a snapshot, what each meets.

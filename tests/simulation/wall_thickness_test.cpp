@@ -45,7 +45,7 @@ double thickness(const PoseOf& pose_of) {
   double sum = 0;
   std::size_t count = 0;
   for (std::size_t k = 0; k < 60; ++k) {
-    const LabelledScan made = simulate_scan(world, vlp16(), trajectory, options, {0.1 * double(k), 3, k});
+    const LabelledScan made = simulate_scan(world, {vlp16()}, trajectory, options, {0.1 * double(k), 3, k});
     const PointCloud& cloud = made.scan.cloud;
     for (std::size_t i = 0; i < cloud.size(); ++i) {
       const Pose T = pose_of(trajectory, made.scan.stamp, cloud.times[i]);

@@ -17,9 +17,9 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr UdpRoute kRoute{0xC0A801C8, 0xC0A80166, 2368, 2368};
 
-Simulator simulator(const std::string& sensor) {
-  return {"corridor",
-          simulation_options("corridor", {{"sensor", sensor}, {"duration", "1.3"}, {"speed", "2"}, {"seed", "5"}})};
+Simulator simulator(const std::string& sensor, const std::string& beams = "ideal") {
+  const OptionValues values{{"sensor", sensor}, {"duration", "1.3"}, {"speed", "2"}, {"seed", "5"}, {"beams", beams}};
+  return {"corridor", simulation_options("corridor", values)};
 }
 
 void write_packets(const Simulator& simulator, const std::filesystem::path& path) {
@@ -73,6 +73,19 @@ TEST(PacketRoundTrip, GivesTheSimulatedScansWithinTheirQuantisation) {
       EXPECT_TRUE(notice.starts_with("packets: ")) << notice;
     }
   }
+}
+
+TEST(PacketRoundTrip, CarriesTheErrorsOfBeams) {
+  const TemporaryFolder folder;
+  const Simulator worn = simulator("vlp16", "worn"), ideal = simulator("vlp16");
+  write_packets(worn, folder / "scans.pcap");
+  const auto source = open_source((folder / "scans.pcap").string(), {});
+  std::size_t i = 0;
+  for (; const auto scan = source->next(); ++i) {
+    EXPECT_NE(worn.scan(i).scan.cloud.points, ideal.scan(i).scan.cloud.points);
+    expect_equal(worn, worn.scan(i).scan, *scan);
+  }
+  EXPECT_EQ(i, worn.size());
 }
 
 TEST(PacketRoundTrip, RingsOfSimulatedPacketsLieAtThePublishedAngles) {

@@ -34,8 +34,9 @@ Ray mirrored(const Ray& ray, const Hit& hit) {
 }
 
 Echo plain_echo(const Ray& ray, const Hit& hit) {
-  const double brightness = hit.surface->reflectivity * (0.3 + 0.7 * cosine_of(ray, hit));
-  return {hit.distance, hit.moving ? PointKind::moving : PointKind::surface, hit.edge_distance, 255 * brightness};
+  const double cosine = cosine_of(ray, hit), brightness = hit.surface->reflectivity * (0.3 + 0.7 * cosine);
+  const PointKind kind = hit.moving ? PointKind::moving : PointKind::surface;
+  return {hit.distance, kind, hit.edge_distance, 255 * brightness, cosine};
 }
 
 }  // namespace

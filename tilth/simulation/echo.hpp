@@ -14,6 +14,7 @@ struct Echo {
   PointKind kind = PointKind::surface;
   double edge_distance = 0.0;  ///< [m]
   double intensity = 0.0;      ///< 0 .. 255
+  double cosine = 1.0;         ///< of incidence
 };
 
 /// The beam that goes on from a mirror or through a pane, where this beam does; nothing where it is scattered back.

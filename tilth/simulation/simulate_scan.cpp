@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 5> kKinds{"surface", "outlier", "mixed", 
 struct Beam {
   std::size_t ring;
   double time;                        // [s] since the scan's stamp
-  Eigen::Vector3d origin, direction;  // in the LiDAR frame
+  Eigen::Vector3d origin, direction;  // in the LiDAR frame, as the sensor believes it points
   Ray ray;                            // in the world frame
   CounterRandom random;
 };
@@ -26,6 +26,8 @@ struct Beam {
 /// All that one scan is made from.
 struct Setting {
   const World& world;
+  const FlawedLidar& sensor;
+  bool ideal;  // the sensor
   const LidarModel& lidar;
   const Trajectory& trajectory;
   const NoiseOptions& options;
@@ -47,12 +49,13 @@ Beam aim(const Setting& s, PoseTrack& track, std::size_t column, std::size_t slo
   const double turned = s.options.snapshot ? double(column) * s.lidar.period / double(s.lidar.columns) : fired;
   const double drawn = s.lidar.rosette_angle > 0 ? s.key.stamp + turned : turned;  // a rosette goes on over the scans
   const Eigen::Vector3d origin = s.lidar.origin(turned), direction = s.lidar.direction(ring, drawn);
+  const Eigen::Vector3d aimed = s.ideal ? direction : true_direction(s.sensor.beams, ring, direction);
   const Pose T_world_lidar = track.at(s.key.stamp + fired);
   return {ring,
           fired,
           origin,
           direction,
-          {T_world_lidar * origin, T_world_lidar.linear() * direction, s.key.stamp + fired},
+          {T_world_lidar * origin, T_world_lidar.linear() * aimed, s.key.stamp + fired},
           CounterRandom(s.key.seed, s.key.index, column * s.lidar.rings() + slot)};
 }
 
@@ -113,6 +116,11 @@ std::vector<std::optional<Echo>> echoes_of(const Setting& s, std::vector<Beam>& 
   return echoes;
 }
 
+/// As flawed beams report it: they take the intensity as it goes into the packets.
+void distort(const Setting& s, const Beam& beam, Echo& echo) {
+  echo.range = s.sensor.reported(beam.ring, echo.range, std::round(echo.intensity), echo.cosine);
+}
+
 void append_point(LabelledScan& out, const Setting& s, const Beam& beam, const Echo& echo, double range) {
   out.scan.cloud.points.push_back(beam.origin + range * beam.direction);
   out.scan.cloud.intensities.push_back(float(std::round(echo.intensity)));
@@ -137,6 +145,7 @@ LabelledScan simulate_columns(const Setting& s, std::size_t begin, std::size_t e
     const bool direct = echoes[i]->range == seen.hits[i].distance;
     if (direct && s.options.mixed > 0) mix(*echoes[i], seen.at(i), beside.at(i), s.options, beams[i].random);
     stray(*echoes[i], seen.hits[i], s.options, beams[i].random);
+    if (!s.ideal) distort(s, beams[i], *echoes[i]);
     const std::optional<double> range = measured_range(*echoes[i], s.lidar, s.options, beams[i].random);
     if (range) append_point(out, s, beams[i], *echoes[i], *range);
   }
@@ -158,9 +167,10 @@ NoiseOptions gazebo_noise() {
   return options;
 }
 
-LabelledScan simulate_scan(const World& world, const LidarModel& lidar, const Trajectory& trajectory,
+LabelledScan simulate_scan(const World& world, const FlawedLidar& sensor, const Trajectory& trajectory,
                            const NoiseOptions& options, const ScanKey& key) {
-  const Setting setting{world, lidar, trajectory, options, key, rings_as_they_fire(lidar)};
+  const LidarModel& lidar = sensor.lidar;
+  const Setting setting{world, sensor, sensor.ideal(), lidar, trajectory, options, key, rings_as_they_fire(lidar)};
   std::vector<LabelledScan> parts((lidar.columns + kColumnsAtOnce - 1) / kColumnsAtOnce);
   parallel_for(lidar.columns, kColumnsAtOnce, [&](std::size_t begin, std::size_t end) {
     parts[begin / kColumnsAtOnce] = simulate_columns(setting, begin, end);

@@ -8,11 +8,11 @@
 #include <span>
 #include <string_view>
 
-#include <tilth/core/lidar_model.hpp>
 #include <tilth/core/options.hpp>
 #include <tilth/core/point_label.hpp>
 #include <tilth/core/scan.hpp>
 #include <tilth/core/trajectory.hpp>
+#include <tilth/simulation/beam_flaws.hpp>
 #include <tilth/simulation/world.hpp>
 
 namespace tilth {
@@ -62,8 +62,9 @@ struct ScanKey {
   std::uint64_t index = 0;
 };
 
-/// The scan of that key. The trajectory gives the LiDAR in the world and must cover the scan.
-LabelledScan simulate_scan(const World& world, const LidarModel& lidar, const Trajectory& trajectory,
+/// The scan of that key. The trajectory gives the LiDAR in the world and must cover the scan. A beam with errors is
+/// cast where it truly points; its range is reported along the direction it should have, noise and steps on top.
+LabelledScan simulate_scan(const World& world, const FlawedLidar& sensor, const Trajectory& trajectory,
                            const NoiseOptions& options, const ScanKey& key);
 
 }  // namespace tilth

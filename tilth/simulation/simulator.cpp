@@ -33,29 +33,35 @@ SimulationOptions simulation_defaults(std::string_view scene, bool snapshot) {
 
 SimulationOptions simulation_options(std::string_view scene, const OptionValues& values) {
   const auto asked = values.find("snapshot");
-  return with(values, simulation_defaults(scene, asked != values.end() && asked->second == "true"));
+  SimulationOptions defaults = simulation_defaults(scene, asked != values.end() && asked->second == "true");
+  const auto preset = values.find("beams");
+  if (preset != values.end()) defaults.flaws = flaws_of(with<BeamFlawOptions>({*preset}).beams);
+  return with(values, std::move(defaults));
 }
 
 Simulator::Simulator(std::string_view scene, const SimulationOptions& options)
     : Simulator(make_scene(scene, options.scene), options) {}
 
 Simulator::Simulator(Scene scene, const SimulationOptions& options)
-    : lidar_(lidar_of(options)), noise_(options.noise), seed_(options.scene.seed), truth_(std::move(scene.trajectory)) {
+    : sensor_(flawed_lidar(lidar_of(options), options.flaws, options.scene.seed)),
+      noise_(options.noise),
+      seed_(options.scene.seed),
+      truth_(std::move(scene.trajectory)) {
   if (truth_.empty()) throw Error("scene", "has no way for the sensor");
   world_ = std::make_unique<MeshWorld>(std::move(scene.mesh), std::move(scene.movers));
 }
 
 std::size_t Simulator::size() const {
-  const double turns = std::floor((truth_.back().stamp - truth_.front().stamp) / lidar_.period + 1e-9);
+  const double turns = std::floor((truth_.back().stamp - truth_.front().stamp) / lidar().period + 1e-9);
   return turns < 1 ? 0 : std::size_t(turns) - 1;
 }
 
 double Simulator::stamp(std::size_t index) const {
-  return truth_.front().stamp + double(index + 1) / (1 / lidar_.period);  // 2.9, not 2.9000000000000004
+  return truth_.front().stamp + double(index + 1) / (1 / lidar().period);  // 2.9, not 2.9000000000000004
 }
 
 LabelledScan Simulator::scan(std::size_t index) const {
-  return simulate_scan(*world_, lidar_, truth_, noise_, {stamp(index), seed_, index});
+  return simulate_scan(*world_, sensor_, truth_, noise_, {stamp(index), seed_, index});
 }
 
 }  // namespace tilth

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <tilth/core/options.hpp>
+#include <tilth/simulation/beam_flaws.hpp>
 #include <tilth/simulation/mesh_world.hpp>
 #include <tilth/simulation/path.hpp>
 #include <tilth/simulation/scenes.hpp>
@@ -19,6 +20,7 @@ struct SimulationOptions {
   SceneOptions scene;
   PathOptions path;
   NoiseOptions noise;
+  BeamFlawOptions flaws;
 };
 
 /// All keys in one flat list, as the command line and sim:// take them.
@@ -29,36 +31,38 @@ void visit(SimulationOptions& o, V&& v) {
   visit(o.scene, v);
   visit(o.path, v);
   visit(o.noise, v);
+  visit(o.flaws, v);
 }
 
 /// A scene that is not one of ours by name: a world file.
 inline constexpr std::string_view kForeignScene = "";
 
-/// What a scene differs in from the plain defaults: corridor_rough its noise, street its sensor, the fast ones their
-/// speed, a foreign one its lack of people. With `snapshot` the noise is that of Gazebo's sensors. Throws Error on an
-/// unknown scene.
+/// What a scene differs in from the plain defaults: corridor_rough its noise, street its sensor, the fast
+/// ones their speed, a foreign one its lack of people. With `snapshot` the noise is that of Gazebo's sensors. Throws
+/// Error on an unknown scene.
 SimulationOptions simulation_defaults(std::string_view scene, bool snapshot);
 
-/// The options of `scene` with `values` set. Throws Error naming the key that is unknown, is no number or breaks its
-/// bounds.
+/// The options of `scene` with `values` set, those of the preset `beams` beneath them. Throws Error naming the key that
+/// is unknown, is no number or breaks its bounds.
 SimulationOptions simulation_options(std::string_view scene, const OptionValues& values);
 
 class Simulator {
  public:
-  /// Throws Error on an unknown scene or sensor.
+  /// Throws Error on an unknown scene or sensor, and on a rosette with flaws.
   Simulator(std::string_view scene, const SimulationOptions& options);
-  /// Throws Error on an unknown sensor, a scene without a triangle or with no pose of the sensor.
+  /// Throws Error on an unknown sensor, a rosette with flaws, a scene without a triangle or with no pose of the sensor.
   Simulator(Scene scene, const SimulationOptions& options);
 
   std::size_t size() const;               ///< scans in all
   double stamp(std::size_t index) const;  ///< [s] of a scan's first firing; one turn at index 0, as 0 is no time in ROS
   LabelledScan scan(std::size_t index) const;         ///< the same for the same options, in any order
   const Trajectory& truth() const { return truth_; }  ///< T_world_lidar at 200 Hz over all scans
-  const LidarModel& lidar() const { return lidar_; }
+  const LidarModel& lidar() const { return sensor_.lidar; }
+  const BeamModel& beams() const { return sensor_.beams; }  ///< true errors of its beams
   const MeshWorld& world() const { return *world_; }
 
  private:
-  LidarModel lidar_;
+  FlawedLidar sensor_;
   NoiseOptions noise_;
   std::uint64_t seed_;
   Trajectory truth_;
