@@ -45,7 +45,7 @@ TEST_P(Scenes, KeepTheSensorClearOfStaticSurfaces) {
 /// No wall turns its back: what a ray meets was meant to be seen from there, so it lies within the scene's ground.
 TEST_P(Scenes, ReturnMostOfTheirBeams) {
   const Simulator made = simulator();
-  const bool open = GetParam().starts_with("plaza") || GetParam() == "street";
+  const bool open = GetParam().starts_with("plaza") || GetParam() == "street" || GetParam() == "city";
   for (std::size_t k = 0; k < made.size(); k += 50) {
     const double ratio = double(made.scan(k).labels.size()) / double(made.lidar().rings() * made.lidar().columns);
     EXPECT_GT(ratio, open ? 0.45 : 0.9) << "scan " << k;
@@ -62,8 +62,8 @@ TEST_P(Scenes, KeepRollAndPitchWithinTwoDegrees) {
 
 TEST_P(Scenes, MoveWithoutJumps) {
   const Trajectory truth = simulator({{"vibration", "0"}, {"vibration_angle", "0"}}).truth();
-  const double fastest = GetParam() == "street" ? 8.6 : 2.7;     // [m/s]
-  const double strongest = GetParam() == "street" ? 12.0 : 6.0;  // [m/s^2]
+  const double fastest = GetParam() == "street" ? 8.6 : GetParam() == "city" ? 9.1 : 2.7;  // [m/s]
+  const double strongest = GetParam() == "street" ? 12.0 : 6.5;                            // [m/s^2]
   for (std::size_t i = 2; i < truth.size(); ++i) {
     const Eigen::Vector3d v0 =
         (truth[i - 1].T_world_lidar.translation() - truth[i - 2].T_world_lidar.translation()) * 200;
@@ -148,6 +148,57 @@ TEST(Office, ComesBackToItsStart) {
   }
   EXPECT_LT(nearest, 0.4);
   EXPECT_GT(path_length(truth), 70);
+}
+
+/// [m] of the drive that lie within 2 m of where it was half a minute or more before, driven in the same `direction`
+/// (1) or in the other one (-1).
+double driven_again(const Trajectory& truth, double direction) {
+  double length = 0;
+  for (std::size_t i = 200; i < truth.size(); i += 50) {
+    const Pose& T = truth[i].T_world_lidar;
+    bool again = false;
+    for (std::size_t k = 0; k + 6000 < i && !again; k += 20) {
+      const Pose& earlier = truth[k].T_world_lidar;
+      again = (earlier.translation() - T.translation()).norm() < 2 &&
+              direction * earlier.linear().col(0).dot(T.linear().col(0)) > 0.9;
+    }
+    if (again) length += (T.translation() - truth[i - 50].T_world_lidar.translation()).norm();
+  }
+  return length;
+}
+
+TEST(City, IsDrivenInLoopsBothWaysAndEndsWhereItBegan) {
+  const Trajectory truth = Simulator("city", simulation_options("city", {})).truth();
+  const Pose moved = truth.front().T_world_lidar.inverse() * truth.back().T_world_lidar;
+  EXPECT_LT(moved.translation().norm(), 1.5);
+  EXPECT_LT(angle_of(moved), 3 * kDegree);
+  EXPECT_NEAR(path_length(truth), 2577, 5);
+  EXPECT_GT(driven_again(truth, 1), 80);
+  EXPECT_GT(driven_again(truth, -1), 450);
+}
+
+TEST(City, IsDrivenMoreSlowlyRoundItsCorners) {
+  const Trajectory truth = Simulator("city", simulation_options("city", {})).truth();
+  EXPECT_NEAR(speed_at(truth, 12), 9, 0.1);
+  for (std::size_t i = 200; i + 200 < truth.size(); i += 20) {
+    const double stamp = truth[i].stamp;
+    const double turn = angle_of(interpolate(truth, stamp - 0.05).inverse() * interpolate(truth, stamp + 0.05)) / 0.1;
+    if (turn > 25 * kDegree) {
+      ASSERT_NEAR(speed_at(truth, stamp), 4.5, 0.2) << stamp;
+    }
+  }
+}
+
+TEST(City, HasPlacesInBoundedMemory) {
+  const Simulator made("city", simulation_options("city", {{"duration", "1"}}));
+  EXPECT_EQ(made.lidar().name, "vlp16");
+  EXPECT_EQ(made.world().movers().walkers.size(), 5u);
+  const std::vector<Surface>& surfaces = made.world().mesh().surfaces;
+  for (const auto& [name, least] : {std::pair{"facade", 150}, {"trunk", 100}, {"pole", 60}, {"car body", 150}}) {
+    EXPECT_GT(std::count_if(surfaces.begin(), surfaces.end(), [&](const Surface& s) { return s.name == name; }), least)
+        << name;
+  }
+  EXPECT_LT(made.world().mesh().triangles.size(), 300'000u);
 }
 
 }  // namespace

@@ -12,10 +12,11 @@ struct NamedScene {
   Scene (*make)(const SceneOptions&);
 };
 
-constexpr std::array kScenes{
-    NamedScene{"corridor", corridor},     NamedScene{"corridor_fast", corridor}, NamedScene{"corridor_rough", corridor},
-    NamedScene{"plaza", plaza},           NamedScene{"plaza_fast", plaza},       NamedScene{"hospital", hospital},
-    NamedScene{"auditorium", auditorium}, NamedScene{"office", office},          NamedScene{"street", street}};
+constexpr std::array kScenes{NamedScene{"corridor", corridor},       NamedScene{"corridor_fast", corridor},
+                             NamedScene{"corridor_rough", corridor}, NamedScene{"plaza", plaza},
+                             NamedScene{"plaza_fast", plaza},        NamedScene{"hospital", hospital},
+                             NamedScene{"auditorium", auditorium},   NamedScene{"office", office},
+                             NamedScene{"street", street},           NamedScene{"city", city}};
 
 constexpr auto kNames = [] {
   std::array<std::string_view, kScenes.size()> names{};

@@ -49,6 +49,7 @@ Scene hospital(const SceneOptions& options);    ///< corridor with wards, beds, 
 Scene auditorium(const SceneOptions& options);  ///< hall with rising rows of seats and a stage
 Scene office(const SceneOptions& options);      ///< round trip past rooms with desks and shelves
 Scene street(const SceneOptions& options);      ///< houses, parked cars, trees and poles, at 8 m/s
+Scene city(const SceneOptions& options);        ///< a grid of such streets, some driven twice and both ways, at 9 m/s
 
 std::span<const std::string_view> scene_names();
 

@@ -23,6 +23,7 @@ SimulationOptions simulation_defaults(std::string_view scene, bool snapshot) {
   if (scene.starts_with("plaza")) options.scene.people = 6;
   if (scene == "hospital" || scene == "office") options.scene.people = 4;
   if (scene == "street") options.sensor = "hdl64", options.scene.height = 1.9, options.scene.people = 5;
+  if (scene == "city") options.scene.height = 1.9, options.scene.people = 5;
   if (scene.ends_with("_fast")) options.scene.speed = 2.5;
   if (scene == "corridor_rough") {
     options.noise.noise = 0.03, options.noise.outliers = 0.02;

@@ -37,7 +37,7 @@ void visit(SimulationOptions& o, V&& v) {
 /// A scene that is not one of ours by name: a world file.
 inline constexpr std::string_view kForeignScene = "";
 
-/// What a scene differs in from the plain defaults: corridor_rough its noise, street its sensor, the fast
+/// What a scene differs in from the plain defaults: corridor_rough its noise, street and city their sensor, the fast
 /// ones their speed, a foreign one its lack of people. With `snapshot` the noise is that of Gazebo's sensors. Throws
 /// Error on an unknown scene.
 SimulationOptions simulation_defaults(std::string_view scene, bool snapshot);

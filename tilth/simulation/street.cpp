@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include <tilth/simulation/layout.hpp>
-#include <tilth/simulation/outdoor.hpp>
 #include <tilth/simulation/scenes.hpp>
+#include <tilth/simulation/streetside.hpp>
 
 namespace tilth {
 namespace {
@@ -11,7 +11,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kKerb = 5.0, kHouses = 9.0;  // [m] left and right of the vehicle's way
 constexpr std::uint64_t kStream = 0x60;
 
 /// About 260 m at 8 m/s: a bend to the left, a bend to the right, a crossing taken to the right.
@@ -27,17 +26,6 @@ const std::vector<Leg> kLegs{{1, 0, 0},
                              {3, 7, 0},
                              {3, 8, 0},
                              {3, 0, 0}};
-
-/// A frame on the way `arc` [m] from its start, x along it.
-Pose frame_at(const Path& path, double arc) {
-  for (std::size_t i = 1;; ++i) {
-    const Vector3d side = path[i] - path[i - 1];
-    if (arc <= side.norm() || i + 1 == path.size()) {
-      return upright(path[i - 1] + arc * side.normalized(), std::atan2(side.y(), side.x()));
-    }
-    arc -= side.norm();
-  }
-}
 
 /// Whether all of a disc lies further than `clear` [m] from the way: the inner side of a crossing is near two of its
 /// sides.
@@ -60,44 +48,6 @@ void add_ground(Mesh& mesh, const Path& path) {
   }
 }
 
-/// Houses of 9 to 16 m, now and then a gap; each stands a little further back or forward than its neighbour.
-void add_houses(Mesh& mesh, const Path& path, double side, CounterRandom& random) {
-  for (double arc = -10; arc < length_of(path) + 10;) {
-    const double width = random.uniform(9, 16), back = random.uniform(0, 1.8), depth = 9;
-    const double middle = arc + width / 2;
-    const Pose T = frame_at(path, std::max(middle, 0.0)) *
-                   upright({std::min(middle, 0.0), side * (kHouses + back), 0}, side > 0 ? std::numbers::pi : 0.0);
-    const int floors = 2 + int(random.uniform(0, 3));
-    arc += width + (random.chance(0.25) ? random.uniform(3, 7) : 0.0);
-    const auto corner = [&](double x, double y) -> Vector3d { return T * Vector3d(x, y, 0); };
-    const Vector3d a = corner(width / 2, 0), b = corner(-width / 2, 0);
-    if (!free(path, a, kHouses - 1.5) || !free(path, b, kHouses - 1.5) || !free(path, corner(0, -depth), kHouses))
-      continue;
-    const Vector3d c = corner(-width / 2, -depth), d = corner(width / 2, -depth);
-    add_facade(mesh, a, b, floors);
-    const SurfaceId gable = add_surface(mesh, {"gable", Material::matte, 0.5});
-    for (const auto& [from, to] : {std::pair{b, c}, std::pair{c, d}, std::pair{d, a}}) {
-      add_wall(mesh, gable, {from, to, 3.4 * floors, {}});
-    }
-  }
-}
-
-void add_kerbside(Mesh& mesh, const Path& path, double side, CounterRandom& random) {
-  for (double arc = 3; arc < length_of(path) - 3; arc += random.uniform(5.2, 9.0)) {
-    const Pose T = frame_at(path, arc);
-    const auto beside = [&](double y) -> Vector3d { return T * Vector3d(0, side * y, 0); };
-    if (random.chance(0.5) && free(path, beside(3.9), 3.6)) {
-      add_car(mesh, T * upright({0, side * 3.9, 0}, random.chance(0.5) ? 0 : std::numbers::pi), random);
-    }
-    const double choice = random.uniform();
-    if (!free(path, beside(5.7), 5.2)) continue;
-    if (choice < 0.3)
-      add_tree(mesh, beside(5.7), random);
-    else if (choice < 0.5)
-      add_lamp_post(mesh, beside(5.4), 6.0);
-  }
-}
-
 }  // namespace
 
 Scene street(const SceneOptions& options) {
@@ -106,10 +56,11 @@ Scene street(const SceneOptions& options) {
   plain.duration = 0, plain.speed = 1;
   const Path path = lengthened(footprint(travel(kLegs, plain)), 40);
   Scene scene;
+  const auto is_free = [&](const Vector3d& place, double clear) { return free(path, place, clear); };
   add_ground(scene.mesh, path);
   for (const double side : {-1.0, 1.0}) {
-    add_houses(scene.mesh, path, side, random);
-    add_kerbside(scene.mesh, path, side, random);
+    add_houses(scene.mesh, path, side, is_free, random);
+    add_kerbside(scene.mesh, path, side, is_free, random);
   }
   scene.movers.walkers = walkers_beside(path, options.people, 7.4, random);
   scene.trajectory = travel(kLegs, options);
