@@ -1,0 +1,41 @@
+// The errors of a sensor's beams from windows of keyframes: Gauss-Newton with a prior, and what the windows agree on
+// (docs/beams.md).
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include <tilth/calibration/beam_keyframe.hpp>
+#include <tilth/calibration/beam_options.hpp>
+#include <tilth/core/beam_estimate.hpp>
+
+namespace tilth {
+
+/// How well surfaces and beams agree, at one model of the beams.
+struct BeamFit {
+  std::vector<double> residual;  ///< [m] of each beam: how long it reads, about the planes; NaN: it saw none
+  double thickness = 0.0;        ///< [m] median deviation of a surface's points from its plane
+};
+
+struct BeamCalibration {
+  BeamEstimate beams;
+  BeamFit before, after;
+  std::size_t windows = 0, keyframes = 0, rows = 0;
+  std::size_t directions = 0, believed = 0;  ///< of the parameters' space: all, and those in which errors were found
+};
+
+using KeyframeWindows = std::vector<std::vector<BeamKeyframe>>;
+
+/// What is known of a sensor that nobody has calibrated.
+BeamEstimate prior_beams(std::size_t rings, double bright, const BeamCalibrationOptions& options);
+
+/// Called after each iteration of `iterations`.
+using CalibrationProgress = std::function<void(int iteration, int iterations)>;
+
+/// The posterior of `prior`, given the windows. Of directions that the windows do not agree on beyond
+/// `options.significance` deviations the prior's mean stays, with a covariance that says what is not known.
+BeamCalibration estimate_beams(KeyframeWindows windows, const BeamEstimate& prior,
+                               const BeamCalibrationOptions& options, const CalibrationProgress& progress = {});
+
+}  // namespace tilth

@@ -1,0 +1,36 @@
+// What calibration keeps of a scan: some of its returns as they were measured, where the sensor was, and how it moved.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <tilth/core/point_cloud.hpp>
+#include <tilth/core/scan_motion.hpp>
+#include <tilth/core/se3.hpp>
+
+namespace tilth {
+
+struct BeamReturn {
+  Eigen::Vector3f point;  ///< [m] in the sensor's frame, as measured
+  float time;             ///< [s] since the stamp of the scan
+  float intensity;        ///< as the sensor gives it
+  std::uint16_t ring;
+};
+
+struct BeamKeyframe {
+  Pose T_map_lidar = Pose::Identity();  ///< at `reference_time`
+  double reference_time = 0.0;          ///< [s] since the stamp of the scan
+  MotionInScan motion;                  ///< about that time
+  std::vector<BeamReturn> returns;
+};
+
+/// Which returns are kept.
+struct ReturnChoice {
+  double min_range = 0.8, max_range = 60.0;  ///< [m]
+  std::size_t most = 6000;                   ///< returns, evenly chosen in the order of the cloud
+};
+
+/// The returns of a cloud with rings; those without intensities count as bright.
+std::vector<BeamReturn> choose_returns(const PointCloud& cloud, const ReturnChoice& choice);
+
+}  // namespace tilth
