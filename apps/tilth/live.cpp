@@ -121,7 +121,7 @@ int live(const LiveArguments& a) {
     remove_run(a.run.out, files_of(run_outputs(plan.output, plan.report, true)));
   LiveConsole observer(*source, console);
   const std::size_t before = plan.record.trajectory.size();
-  Session session(std::move(source), std::move(plan.pipeline), std::move(plan.record));
+  Session session(corrected_source(std::move(source), a.run, plan), std::move(plan.pipeline), std::move(plan.record));
   session.observe(observer);
   add_sinks(session, a, plan, observer);
   const RunEnd end = run_session(session, a.run);
@@ -151,6 +151,7 @@ void add_live(CLI::App& app, int& exit_code) {
   command->add_option("--pipeline", a->run.options.pipeline, "see `tilth pipelines`; default: the first of them");
   add_setting_arguments(*command, a->run.options);
   add_option_flags(*command, describe(LiveOptions{}), a->input);
+  add_beams_flag(*command, a->run);
   add_output_flags(*command, a->run);
   add_threads_flag(*command, a->run);
   command->add_flag("--quiet", a->run.quiet, "print errors only");

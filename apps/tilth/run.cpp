@@ -50,18 +50,15 @@ int run(const RecordingArguments& a) {
   std::optional<TruthFile> truth;
   if (!a.truth.empty()) truth = read_truth(a.truth, a.calibration);
   PlannedRun plan = plan_run(a.run, describe_source(a.input), describe_source({}));
-  Session session(open_source(a.run.source, stopped_by_signals(a.input)), std::move(plan.pipeline),
-                  std::move(plan.record));
+  Session session(corrected_source(open_source(a.run.source, stopped_by_signals(a.input)), a.run, plan),
+                  std::move(plan.pipeline), std::move(plan.record));
   session.observe(console);
   const LockedFolder folder(a.run.out, files_of(plan.outputs));
   for (const RunOutput& output : plan.outputs) session.add(output.open(folder / output.file));
   remember_interrupts();
   const RunEnd end = run_session(session, a.run);
   const RunRecord& record = session.record();
-  if (record.trajectory.empty() && end != RunEnd::interrupted) {
-    const std::string reason = record.skipped.empty() ? "it is empty" : record.skipped.front().what;
-    throw Error(a.run.source, "has no scan that can be used; " + reason);
-  }
+  if (end != RunEnd::interrupted) require_scans(record, a.run.source);
   std::vector<std::string> failures;
   if (truth) failures = judge_by(*truth, session.record());
   const bool whole = end_session(session, a.run, plan, console, std::move(failures));
@@ -74,6 +71,7 @@ void add_input_options(CLI::App& command, RecordingArguments& a) {
                   "folder of scans, KITTI sequence, bag, network capture, udp://:PORT or sim://SCENE")
       ->required();
   add_source_flags(command, a.input);
+  add_beams_flag(command, a.run);
   command.add_option("--max-scans", a.run.session.max_scans, "stop after so many scans");
   command.add_flag("--strict", a.run.session.strict, "a record that cannot be used ends the run with an error");
 }

@@ -1,11 +1,14 @@
 // What `tilth run` and `tilth live` share: the same session, with other sources and sinks.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "console.hpp"
 #include "option_arguments.hpp"
+#include <tilth/core/beam_model.hpp>
 #include <tilth/report/run_outputs.hpp>
 #include <tilth/run/session.hpp>
 
@@ -16,6 +19,7 @@ constexpr int kTrackLostExit = 3;
 
 struct RunArguments {
   std::string source, out;
+  std::string beams;  ///< beams.yaml; empty: none
   OptionArguments options;
   OptionValues map, output, report;  ///< of MapOptions, OutputOptions and ReportOptions
   SessionOptions session;
@@ -29,6 +33,9 @@ void add_output_flags(CLI::App& command, RunArguments& arguments);
 /// Adds --threads.
 void add_threads_flag(CLI::App& command, RunArguments& arguments);
 
+/// Adds --beams.
+void add_beams_flag(CLI::App& command, RunArguments& arguments);
+
 /// A run before its first scan.
 struct PlannedRun {
   RunRecord record;
@@ -36,12 +43,20 @@ struct PlannedRun {
   OutputOptions output;
   ReportOptions report;
   std::vector<RunOutput> outputs;
+  std::optional<BeamModel> beams;  ///< that every scan is corrected by
 };
 
 /// The run that is asked for; `source_options` are told in its record, with their defaults. Throws Error on an option
 /// that is wrong, also on one of loop closure that is not used.
 PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>& source_options = {},
                     const std::vector<OptionInfo>& source_defaults = {});
+
+/// `source`, its scans corrected where the run has --beams.
+std::unique_ptr<ScanSource> corrected_source(std::unique_ptr<ScanSource> source, const RunArguments& arguments,
+                                             const PlannedRun& plan);
+
+/// Throws Error naming `source`, and why, where a run that came to its end has no pose.
+void require_scans(const RunRecord& record, const std::string& source);
 
 /// The names of the files.
 std::vector<std::string> files_of(const std::vector<RunOutput>& outputs);

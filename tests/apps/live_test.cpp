@@ -76,6 +76,24 @@ TEST_F(Live, APlayedRecordingGivesTheTrajectoryOfTheSimulation) {
   }
 }
 
+TEST_F(Live, ScansAreCorrectedByTheErrorsOfTheBeams) {
+  record("vlp16", "3");
+  const auto write = [&](const std::string& name, const std::string& range) {
+    std::ofstream(in(name)) << "version: 1\nrange: [" << range << "]\n";
+  };
+  write("beams.yaml", "0.012, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0");
+  write("four.yaml", "0.012, 0, 0, 0");
+  for (const auto& [file, exit_code] : {std::pair("beams.yaml", 0), std::pair("four.yaml", 1)}) {
+    const auto program = live(std::string(file) + ".out", {"--idle", "1", "--queue", "100", "--beams", in(file)});
+    ASSERT_EQ(tilth(play("4")).exit_code, 0);
+    const Outcome outcome = program->wait();
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+    const std::string sentence = exit_code == 0 ? "beams: corrected by " + in(file) + " (ranges up to 12 mm)"
+                                                : in(file) + ": has the errors of 4 beams, but the scans are of 16";
+    EXPECT_NE((outcome.out + outcome.err).find(sentence), std::string::npos) << outcome.out << outcome.err;
+  }
+}
+
 TEST_F(Live, SigtermEndsItWithEveryFileWritten) {
   record("vlp16", "5");
   const auto program = live("out", {});
