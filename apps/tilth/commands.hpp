@@ -21,6 +21,7 @@ void add_score_filter(CLI::App& app, int& exit_code);
 void add_view(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
 void add_sweep(CLI::App& app, int& exit_code);
+void add_calibrate(CLI::App& app, int& exit_code);
 void add_job(CLI::App& app, int& exit_code);
 
 }  // namespace tilth::app

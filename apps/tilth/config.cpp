@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "calibration_options.hpp"
 #include "commands.hpp"
 #include "option_arguments.hpp"
 #include "option_listing.hpp"
@@ -32,7 +33,8 @@ std::string file_for_config(const PipelineChoice& choice) {
 
 /// One pipeline where one is named, else all of them; then what is common to all.
 int print_options(const ConfigArguments& arguments) {
-  const PipelineChoice choice = choose_pipeline(arguments.options);
+  PipelineChoice choice = choose_pipeline(arguments.options);
+  const CalibrationOptions calibration = take_calibration_options(choice.values);
   const bool chosen = !arguments.options.pipeline.empty() || !arguments.options.config.empty();
   std::string text;
   if (arguments.yaml) {
@@ -43,7 +45,8 @@ int print_options(const ConfigArguments& arguments) {
     if (chosen) names = {choice.name};
     for (const std::string& name : names)
       text += listing(arguments, name, describe_odometry(name, choice.values)) + "\n";
-    text += listing(arguments, "every pipeline, with --loop-closure", describe(with<SlamOptions>(choice.loop)));
+    text += listing(arguments, "every pipeline, with --loop-closure", describe(with<SlamOptions>(choice.loop))) + "\n";
+    text += listing(arguments, "tilth calibrate", describe(calibration));
   }
   std::fputs(text.c_str(), stdout);
   return 0;

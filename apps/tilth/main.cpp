@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   tilth::app::add_view(app, exit_code);
   tilth::app::add_compare(app, exit_code);
   tilth::app::add_sweep(app, exit_code);
+  tilth::app::add_calibrate(app, exit_code);
   tilth::app::add_job(app, exit_code);
   try {
     std::vector<std::string> arguments = tilth::app::spread_settings({argv + 1, std::size_t(argc - 1)});
