@@ -61,17 +61,18 @@ Evidence evidence_of(const std::vector<BeamWindow>& windows, const PriorUnits& p
   return evidence;
 }
 
-VectorXd posterior_mean(const Evidence& evidence) {
+/// The posterior's mean, with the prior `ridge` times as firm as it is.
+VectorXd posterior_mean(const Evidence& evidence, double ridge) {
   const Eigen::Index n = evidence.sum_b.size();
-  return (evidence.sum_A + MatrixXd::Identity(n, n)).ldlt().solve(evidence.sum_b);
+  return (evidence.sum_A + ridge * MatrixXd::Identity(n, n)).ldlt().solve(evidence.sum_b);
 }
 
 /// Direction by direction of the parameters' space (eigenvectors of the information): how far the windows scatter about
 /// what they say together (the sandwich estimator: H. White, Econometrica 48, 1980), and whether that is enough.
-Belief believe(const Evidence& evidence, double significance) {
+Belief believe(const Evidence& evidence, const BeamCalibrationOptions& options) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(evidence.sum_A);
   const MatrixXd& Q = solver.eigenvectors();
-  const VectorXd y = posterior_mean(evidence);
+  const VectorXd y = posterior_mean(evidence, 1);
   const Eigen::Index n = y.size();
   VectorXd scatter = VectorXd::Zero(n);
   for (std::size_t w = 0; w < evidence.A.size(); ++w) {
@@ -84,9 +85,11 @@ Belief believe(const Evidence& evidence, double significance) {
   for (Eigen::Index j = 0; j < n; ++j) {
     const double information = std::max(solver.eigenvalues()[j], 0.0);
     const double found = Q.col(j).dot(y);
-    const double deviation = std::sqrt(std::max(scatter[j], information)) / (information + 1);
+    const double model_error = options.model_error * windows;
+    const double deviation =
+        std::sqrt(std::max(scatter[j], information) + model_error * model_error) / (information + 1);
     const double posterior = std::max(deviation * deviation, 1 / (information + 1));
-    const bool believed = windows > 1 && std::abs(found) > significance * deviation;
+    const bool believed = windows > 1 && std::abs(found) > options.significance * deviation;
     if (believed) ++belief.believed, in_directions[j] = found;
     variances[j] = std::min(1.0, believed ? posterior : posterior + found * found);
   }
@@ -141,9 +144,9 @@ BeamCalibration estimate_beams(KeyframeWindows windows, const BeamEstimate& prio
     const std::vector<BeamWindow> linear = linearize(windows, with_parameters(prior.model, theta), rings, options);
     if (i == 0) result.before = fit_of(linear, rings);
     const Evidence evidence = evidence_of(linear, units, theta);
-    VectorXd y = posterior_mean(evidence);
+    VectorXd y = posterior_mean(evidence, 1 + options.model_error * double(windows.size()));
     if (i + kStrict >= options.iterations) {
-      const Belief belief = believe(evidence, options.significance);
+      const Belief belief = believe(evidence, options);
       y = belief.y, result.believed = belief.believed;
       result.beams.covariance = units.spread * belief.covariance * units.spread.transpose();
     }

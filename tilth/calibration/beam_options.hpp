@@ -13,18 +13,18 @@ struct BeamCalibrationOptions {
   double sigma_walk = 0.02;       ///< [m]
   double sigma_encoder = 0.03;    ///< [deg]
   double step = 0.4;              ///< [m]
-  int window = 25;                ///< keyframes
+  int window = 12;                ///< keyframes
   int most_windows = 120;
   int iterations = 5;
-  double cell = 0.6;        ///< [m]
-  double block = 2.5;       ///< [m]
-  double flat = 0.05;       ///< [m]
-  double noise = 0.03;      ///< [m]
-  double floor = 0.005;     ///< [m]
-  double kernel = 3.0;      ///< [-]
-  double temper = 4.0;      ///< [-]
-  double doubt = 0.25;      ///< [-]
-  double significance = 2;  ///< [-]
+  double cell = 0.6;         ///< [m]
+  double block = 2.5;        ///< [m]
+  double flat = 0.05;        ///< [m]
+  double noise = 0.03;       ///< [m]
+  double floor = 0.005;      ///< [m]
+  double kernel = 3.0;       ///< [-]
+  double doubt = 0.25;       ///< [-]
+  double model_error = 0.5;  ///< [-]
+  double significance = 2;   ///< [-]
 };
 
 template <class V>
@@ -45,8 +45,10 @@ void visit(BeamCalibrationOptions& o, V&& v) {
   v("floor", o.floor, Bounds{1e-4, 1}, "[m] what a surface departs from its plane, however many points tell",
     kAdvanced);
   v("kernel", o.kernel, Bounds{0.5, 100}, "[-] deviations at which the Geman-McClure kernel turns down", kAdvanced);
-  v("temper", o.temper, Bounds{1, 1000}, "[-] by which variances are taken larger than they say", kAdvanced);
   v("doubt", o.doubt, Bounds{0, 1}, "[-] sine of incidence below which a normal tells nothing of angles", kAdvanced);
+  v("model_error", o.model_error, Bounds{0, 100},
+    "[-] gradient of a window, in units of the prior, that surfaces feign which are not as flat as they are taken for",
+    kAdvanced);
   v("significance", o.significance, Bounds{0, 10}, "[-] own deviations beyond which an error is believed");
 }
 

@@ -118,23 +118,22 @@ void add_residuals(BeamWindow& window, const WeightedRows& w, std::size_t rings)
 
 }  // namespace
 
+BeamWindow eliminate(const WeightedRows& w, std::size_t rings, std::size_t keyframes) {
+  const auto parameters = 2 * Eigen::Index(rings) + 5;
+  Reducer reducer(parameters + 6 * Eigen::Index(keyframes) + 1);
+  for (std::size_t c = 0; c + 1 < w.begin.size(); ++c) reducer.add_cell(w, c, rings, keyframes);
+  BeamWindow window = without_poses(reducer.whole(), parameters, keyframes);
+  window.rows = w.rows.size();
+  add_residuals(window, w, rings);
+  return window;
+}
+
 BeamWindow beam_window(std::span<const BeamKeyframe> keyframes, const BeamModel& beams, std::size_t rings,
                        const BeamCalibrationOptions& options) {
   SurfaceRows rows = surface_rows(keyframes, beams, options);
-  const auto parameters = 2 * Eigen::Index(rings) + 5;
-  Reducer reducer(parameters + 6 * Eigen::Index(keyframes.size()) + 1);
   const double thickness = rows.thickness.empty() ? 0.0 : median(rows.thickness);
-  if (rows.rows.empty()) {
-    BeamWindow none = without_poses(reducer.whole(), parameters, keyframes.size());
-    none.residual = none.weight = VectorXd::Zero(Eigen::Index(rings));
-    return none;
-  }
-  const WeightedRows w = weighted_rows(std::move(rows), options);
-  for (std::size_t c = 0; c + 1 < w.begin.size(); ++c) reducer.add_cell(w, c, rings, keyframes.size());
-  BeamWindow window = without_poses(reducer.whole() / options.temper, parameters, keyframes.size());
-  window.rows = w.rows.size();
+  BeamWindow window = eliminate(weighted_rows(std::move(rows), options), rings, keyframes.size());
   window.thickness = thickness;
-  add_residuals(window, w, rings);
   return window;
 }
 

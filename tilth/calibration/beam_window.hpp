@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include <tilth/calibration/surface_rows.hpp>
+#include <tilth/calibration/surface_weights.hpp>
 
 namespace tilth {
 
@@ -21,6 +21,9 @@ struct BeamWindow {
   double thickness = 0.0;            ///< [m] median of the cells
   Eigen::VectorXd residual, weight;  ///< of each beam: [m] along the beam, weighted sum; sum of weights
 };
+
+/// What rows of `keyframes` keyframes and `rings` beams say, their planes and poses eliminated.
+BeamWindow eliminate(const WeightedRows& w, std::size_t rings, std::size_t keyframes);
 
 BeamWindow beam_window(std::span<const BeamKeyframe> keyframes, const BeamModel& beams, std::size_t rings,
                        const BeamCalibrationOptions& options);

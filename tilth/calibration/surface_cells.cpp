@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <tilth/calibration/surface_cells.hpp>
+#include <tilth/core/median.hpp>
 
 namespace tilth {
 namespace {
@@ -13,6 +14,8 @@ constexpr std::size_t kFewest = 20;  // points of a cell
 constexpr double kBroad = 0.12;      // [cells] that a cell's points reach along their plane at least
 constexpr double kSharp = 0.1;       // of the variance along the plane, across it at most
 constexpr double kMargin = 0.15;     // [cells] of a plane from the faces along it at least
+constexpr double kRough = 2;         // of the variance that noise explains, at most
+constexpr double kFrontal = 0.2;     // squared cosine of incidence from which on noise shows
 constexpr double kAlike = 0.97;      // cosine between normals that are taken for one
 
 void find_plane(SurfaceCell& cell, const BeamCalibrationOptions& o) {
@@ -88,6 +91,27 @@ void add_cells(std::vector<SurfacePoint>& points, std::vector<SurfaceCell>& cell
   for (std::size_t i = 0; i < open.size(); ++i) open[i]->cell = number[cell_of[i]];
 }
 
+/// Drops the cells that are thicker than the noise of the ranges explains: two surfaces, or a curved one, of which each
+/// beam sees the side that faces it.
+void drop_rough(std::vector<SurfacePoint>& points, std::vector<SurfaceCell>& cells, const BeamCalibrationOptions& o) {
+  std::vector<double> seen(cells.size(), 0.0), usual;
+  for (const SurfacePoint& p : points) {
+    if (p.cell != VoxelTable::kNone)
+      seen[p.cell] += std::pow(p.by_range.dot(cells[p.cell].normal), 2) / cells[p.cell].count;
+  }
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (seen[c] > kFrontal) usual.push_back(std::pow(cells[c].thickness, 2) / seen[c]);
+  }
+  if (usual.empty()) return;
+  const double variance = median(usual);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    cells[c].flat = std::pow(cells[c].thickness, 2) < kRough * (seen[c] * variance + o.floor * o.floor);
+  }
+  for (SurfacePoint& p : points) {
+    if (p.cell != VoxelTable::kNone && !cells[p.cell].flat) p.cell = VoxelTable::kNone;
+  }
+}
+
 }  // namespace
 
 std::vector<SurfaceCell> find_surface_cells(std::vector<SurfacePoint>& points, const Vector3d& origin,
@@ -96,6 +120,7 @@ std::vector<SurfaceCell> find_surface_cells(std::vector<SurfacePoint>& points, c
   add_cells(points, cells, origin, o);
   add_cells(points, cells, origin + Vector3d::Constant(0.5 * o.cell), o);
   share_normals(cells, o.block);
+  drop_rough(points, cells, o);
   return cells;
 }
 

@@ -21,6 +21,9 @@ Eigen::Vector3d place_in_cell(const SurfaceRow& row);
 /// Information of a cell's plane: its offset [1/m^2], and its tilts over a cell.
 Eigen::Matrix3d plane_information(const WeightedRows& w, std::size_t cell);
 
+/// Fills in the residuals from each cell's own plane; returns each cell's mean squared one, in units of its variance.
+std::vector<double> fit_planes(WeightedRows& w);
+
 WeightedRows weighted_rows(SurfaceRows rows, const BeamCalibrationOptions& options);
 
 }  // namespace tilth
