@@ -44,17 +44,6 @@ void hold_weak_directions(const LinearSystem& system, double min_information, Al
 
 }  // namespace
 
-void add_to(LinearSystem& system, const PairSums& sums, const Eigen::Matrix3d& R_target_source) {
-  const Eigen::Matrix3d &R = R_target_source, Rt = R.transpose();
-  const Eigen::Matrix3d H_rt = Rt * sums.H_rt * R;
-  system.H.topLeftCorner<3, 3>() += Rt * sums.H_rr * R;
-  system.H.topRightCorner<3, 3>() += H_rt;
-  system.H.bottomLeftCorner<3, 3>() += H_rt.transpose();
-  system.H.bottomRightCorner<3, 3>() += Rt * sums.H_tt * R;
-  system.b.head<3>() += Rt * sums.b_r;
-  system.b.tail<3>() += Rt * sums.b_t;
-}
-
 StepOutcome gauss_newton_step(const AlignOptions& options, AlignState& state, AlignResult& result) {
   const LinearSystem system = restricted(state.system, options);
   Vector6d step;
