@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
+#include <tilth/core/symmetric6.hpp>
 #include <tilth/registration/align.hpp>
 
 namespace tilth {
@@ -36,9 +36,9 @@ bool solve(const LinearSystem& system, double damping, Vector6d& step) {
 
 // Holds the directions whose eigenvalue, of rotations in rad and translations in m, is below `min_information`.
 void hold_weak_directions(const LinearSystem& system, double min_information, AlignState& state) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(system.H);
-  const Vector6d kept = (eigen.eigenvalues().array() >= min_information).cast<double>();
-  state.movable = eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
+  const Eigen6d eigen = eigen_of(system.H);
+  const Vector6d kept = (eigen.values.array() >= min_information).cast<double>();
+  state.movable = eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose();
   state.held_directions = 6 - int(kept.sum());
 }
 
@@ -77,14 +77,14 @@ void diagnose(const LinearSystem& system, double degeneracy_ratio, AlignResult& 
   result.error = system.error;
   result.information = system.H;
   const Vector6d scale = arc_scale(system);
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * system.H * scale.asDiagonal());
-  const double strongest = eigen.eigenvalues()[5];
+  const Eigen6d eigen = eigen_of(scale.asDiagonal() * system.H * scale.asDiagonal());
+  const double strongest = eigen.values[5];
   const double weakest = std::max(degeneracy_ratio * strongest, 1e-9);
-  result.degenerate_directions = int((eigen.eigenvalues().array() < weakest).count());
+  result.degenerate_directions = int((eigen.values.array() < weakest).count());
   const double freedom = std::max(1.0, 3.0 * double(system.matches) - 6.0);
   const double variance = system.matches == 0 ? 1.0 : std::max(2 * system.error / freedom, 1e-12);
-  const Vector6d inverse = eigen.eigenvalues().cwiseMax(1e-9).cwiseInverse();
-  const Matrix6d scaled = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+  const Vector6d inverse = eigen.values.cwiseMax(1e-9).cwiseInverse();
+  const Matrix6d scaled = eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose();
   result.covariance = variance * (scale.asDiagonal() * scaled * scale.asDiagonal());
 }
 
