@@ -111,7 +111,7 @@ bool gauss_newton_step(const PatchPairs& pairs, const ScanPrior& prior, const Co
     const VibratingScan scan{prior.motion.vibration_gain, scale, *prior.knots};
     vibration = vibration_prior(prior.motion.vibration, prior.motion.vibration_mean, scan, options.vibration);
     const VibrationSystem whole = vibration_system(at_state.parts, system, vibration, state);
-    vibration_factor.emplace(whole.H);
+    vibration_factor = factor_of(whole);
     if (!step_with_vibration(whole, *vibration_factor, step, state.motion.vibration)) return false;
   }
   state.T_map_lidar = retract(state.T_map_lidar, step.head<6>());
