@@ -11,8 +11,8 @@ class SimulatedSource : public ScanSource {
     const SimulationOptions& options = opened.options;
     for (const std::string& warning : opened.warnings) decisions_.push_back("world file: " + warning);
     decisions_.push_back("scans: simulated, scene " + scene + ", sensor " + options.sensor);
-    decisions_.push_back(options.noise.snapshot ? "times: none, every scan is a snapshot"
-                                                : "times: seconds since the first firing of a scan");
+    decisions_.emplace_back(options.noise.snapshot ? "times: none, every scan is a snapshot"
+                                                   : "times: seconds since the first firing of a scan");
   }
 
   std::optional<Scan> next() override {
