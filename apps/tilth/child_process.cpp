@@ -102,4 +102,10 @@ std::filesystem::path own_program() {
   return std::filesystem::read_symlink("/proc/self/exe");
 }
 
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 }  // namespace tilth::app

@@ -25,4 +25,7 @@ void signal_children(int signal);
 /// The file of this program.
 std::filesystem::path own_program();
 
+/// `word` in quotes, as a shell takes it for one word.
+std::string quoted(const std::string& word);
+
 }  // namespace tilth::app

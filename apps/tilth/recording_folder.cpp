@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "child_process.hpp"
 #include <tilth/io/beam_file.hpp>
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/trajectory_file.hpp>
@@ -15,13 +16,11 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 4> kFormats{"pcd", "kitti", "bag", "pcap"};
 
-/// As a shell takes it for one word.
-std::string quoted(const std::string& word) {
+/// As a shell takes it for one word, in quotes only where it needs them.
+std::string shell_word(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_=,.:/+-";
   if (word.find_first_not_of(kPlain) == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
+  return quoted(word);
 }
 
 /// ASCII PLY: every vertex, every triangle with the number of its surface; the surfaces' names as comments.
@@ -94,11 +93,11 @@ void RecordingFolder::write_truth(const Simulator& simulator) {
 
 void RecordingFolder::write_recipe(std::string_view scene, const SimulationOptions& options) {
   std::string text =
-      "# tilth " TILTH_VERSION "; made again by:\ntilth simulate " + quoted(std::string(scene)) + " --out DIR";
+      "# tilth " TILTH_VERSION "; made again by:\ntilth simulate " + shell_word(std::string(scene)) + " --out DIR";
   text += " --format " + std::string(kFormats[std::size_t(format_)]);
   std::string table;
   for (const OptionInfo& row : describe(options)) {
-    if (!row.value.empty()) text += " --set " + quoted(row.key + "=" + row.value);
+    if (!row.value.empty()) text += " --set " + shell_word(row.key + "=" + row.value);
     table += row.key + " = " + row.value + "  # [" + row.unit + "] " + row.meaning + "\n";
   }
   write_text(folder_ / "recipe.txt", text + "\n\n# every option\n" + table);

@@ -2,16 +2,13 @@
 
 #include <cstdio>
 
+#include <tilth/core/counted.hpp>
 #include <tilth/run/evaluation_report.hpp>
 #include <tilth/run/summary_json.hpp>
 #include <tilth/run/track_record.hpp>
 
 namespace tilth::app {
 namespace {
-
-std::string counted(std::size_t n, const std::string& noun) {
-  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
-}
 
 std::string counts_line(const RunRecord& record) {
   return counted(record.trajectory.size(), "scan") + " registered, " + counted(record.skipped.size(), "record") +

@@ -12,12 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 nlohmann::json commands_of(const std::vector<Job>& jobs) {
   nlohmann::json commands = nlohmann::json::array();
   for (const Job& job : jobs) {

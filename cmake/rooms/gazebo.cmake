@@ -12,3 +12,4 @@ endif()
 set_target_properties(PkgConfig::SDFORMAT PROPERTIES INTERFACE_COMPILE_OPTIONS "") # it asks for C++17
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
 target_link_libraries(tilth_gazebo PRIVATE PkgConfig::SDFORMAT PkgConfig::ASSIMP)
+target_compile_options(tilth_gazebo PRIVATE ${TILTH_QUICKLY_COMPILED})

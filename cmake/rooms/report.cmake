@@ -29,3 +29,4 @@ set_source_files_properties(
   ${PROJECT_SOURCE_DIR}/tilth/report/web_bundle.cpp
   PROPERTIES OBJECT_DEPENDS "${web_files};${web}/src/report.css" COMPILE_DEFINITIONS
              "TILTH_WEB_SOURCE=\"${web}/src\";TILTH_WEB_BUILD=\"${web_build}\"")
+target_compile_options(tilth_report PRIVATE ${TILTH_QUICKLY_COMPILED})

@@ -32,7 +32,7 @@ class Program {
  public:
   /// Starts `tilth` with `arguments`.
   explicit Program(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), TILTH_BINARY);
+    arguments.emplace(arguments.begin(), TILTH_BINARY);
     std::vector<char*> argv;
     for (std::string& argument : arguments) argv.push_back(argument.data());
     argv.push_back(nullptr);

@@ -43,6 +43,7 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
     {"assimp/", {"tilth/gazebo/mesh_file.cpp"}},
     {"yaml-cpp/", {"tilth/io/beam_file.cpp", "tilth/io/config_file.cpp", "tilth/io/rosbag2_metadata.cpp"}},
     {"lz4", {"tilth/io/"}},
+    {"liblzf/", {"tilth/io/lzf.cpp"}},
     {"bzlib", {"tilth/io/"}},
     {"pcap/", {"tilth/io/pcap.cpp"}},
     {"sqlite3", {"tilth/io/rosbag2.cpp"}},

@@ -20,7 +20,7 @@ TEST(VibrationFilter, ItsSizeFollowsFromWhatScansShow) {
       const VibrationSystem system = vibration_system(parts, with_weak_prior(sum_of(parts)), prior, state);
       Vector12d step;
       ScanVibration found;
-      const VibrationFactor factor(system.H);
+      const VibrationFactor factor = factor_of(system);
       ASSERT_TRUE(step_with_vibration(system, factor, step, found));
       filter.update(2 * kMiddle, found, evidence_of(factor, prior, found));
     }

@@ -92,7 +92,7 @@ struct FoundVibration {
 inline FoundVibration found(const SegmentSystems& parts, const VibrationPrior& prior, const MotionState& state) {
   const VibrationSystem system = vibration_system(parts, with_weak_prior(sum_of(parts)), prior, state);
   FoundVibration found;
-  EXPECT_TRUE(step_with_vibration(system, VibrationFactor(system.H), found.step, found.vibration));
+  EXPECT_TRUE(step_with_vibration(system, factor_of(system), found.step, found.vibration));
   return found;
 }
 

@@ -51,7 +51,7 @@ TEST(Vibration, IsFoundWhereTheSurfacesShowIt) {
   Vector12d step;
   ScanVibration found;
   const VibrationSystem system = vibration_system(parts, sum_of(parts), prior_of(kSpread), state);
-  ASSERT_TRUE(step_with_vibration(system, VibrationFactor(system.H), step, found));
+  ASSERT_TRUE(step_with_vibration(system, factor_of(system), step, found));
   for (int k = 0; k < kKnots; ++k) {
     const double lever = kMiddle * (2.0 * k / ScanVibration::kIntervals - 1);
     const Vector6d motion = step.head<6>() + lever * step.tail<6>() + found.knots[std::size_t(k)];
@@ -89,7 +89,7 @@ TEST(Vibration, AKnotIsBetterKnownByThoseBesideIt) {
       const VibrationSystem system = vibration_system(parts, with_weak_prior(sum_of(parts)), prior, state);
       Vector12d step;
       ScanVibration found;
-      EXPECT_TRUE(step_with_vibration(system, VibrationFactor(system.H), step, found));
+      EXPECT_TRUE(step_with_vibration(system, factor_of(system), step, found));
       double sum = 0;
       for (int k = 0; k < kKnots; ++k) {
         const double lever = kMiddle * (2.0 * k / ScanVibration::kIntervals - 1);
@@ -112,11 +112,11 @@ TEST(Vibration, AddsToTheCovarianceOfThePose) {
   const int middle = 12 + 6 * (kKnots / 2);
   const Matrix6d cross = all.block<6, 6>(0, middle);
   const Matrix6d expected = all.topLeftCorner<6, 6>() + cross + cross.transpose() + all.block<6, 6>(middle, middle);
-  const VibrationFactor factor(system.H);
+  const VibrationFactor factor = factor_of(system);
   EXPECT_TRUE(covariance_in_middle(factor).isApprox(expected, 1e-9));
   const VibrationSystem still =
       vibration_system(parts, with_weak_prior(sum_of(parts)), prior_of({1e-7, 1e-7, 1e-7}), state);
-  EXPECT_LT(covariance_in_middle(VibrationFactor(still.H)).trace(), 0.5 * covariance_in_middle(factor).trace());
+  EXPECT_LT(covariance_in_middle(factor_of(still)).trace(), 0.5 * covariance_in_middle(factor).trace());
 }
 
 TEST(Vibration, ThePriorIsThatOfTheKnotsAndOfTheirMean) {

@@ -20,27 +20,16 @@ struct MotionInScan {
   ScanVibration vibration = {};              ///< beside velocity and acceleration
 
   /// About the middle of a scan, `middle` after its beginning, at constant velocity.
-  static MotionInScan steady(const Vector6d& velocity, double middle) {
-    return {.velocity = velocity, .begin = -middle, .duration = 2 * middle};
-  }
+  static MotionInScan steady(const Vector6d& velocity, double middle);
 
-  bool at_rest() const { return velocity.isZero(0) && acceleration.isZero(0) && vibration.none(); }
+  bool at_rest() const;
 
   /// Which part of the scan is over at `time`.
   double ratio(double time) const { return duration > 0 ? (time - begin) / duration : 0.0; }
 
-  /// Where it is after `time`, but for the vibration.
-  Pose after(double time) const { return exp(time * (velocity + 0.5 * time * acceleration)); }
-
-  /// Where it is at `time`.
-  Pose at(double time) const { return exp(vibration.at(ratio(time))) * after(time); }
-
-  /// The same motion about an instant `time` later.
-  MotionInScan from(double time) const {
-    MotionInScan later{velocity + time * acceleration, acceleration, begin - time, duration, vibration};
-    for (Vector6d& knot : later.vibration.knots) knot -= vibration.at(ratio(time));
-    return later;
-  }
+  Pose after(double time) const;         ///< where it is after `time`, but for the vibration
+  Pose at(double time) const;            ///< where it is at `time`
+  MotionInScan from(double time) const;  ///< the same motion about an instant `time` later
 };
 
 /// The same, worked out beforehand for all points of the scan. Whoever moves points of a scan by its motion, for the
@@ -49,33 +38,10 @@ class ScanMotion {
  public:
   /// `motion` is the LiDAR's about `reference_time`, the instant that all points are to be seen from. Times [s] count
   /// from the stamp of the scan.
-  ScanMotion(const MotionInScan& motion, double reference_time)
-      : motion_(motion),
-        reference_time_(reference_time),
-        begin_(reference_time + motion.begin),
-        step_(motion.duration / kIntervals) {
-    for (std::size_t i = 0; i <= kIntervals; ++i) {
-      const double lever = step_ * double(i) + motion.begin;
-      const Pose T = exp(motion.vibration.at(double(i) / kIntervals)) * motion.after(lever);
-      const Vector6d velocity = motion.velocity + lever * motion.acceleration;
-      R_reference_knot_[i] = T.linear();
-      t_reference_knot_[i] = T.translation();
-      angular_[i] = velocity.head<3>(), linear_[i] = velocity.tail<3>();
-      turn_[i] = T.linear() * skew(angular_[i]);
-    }
-  }
+  ScanMotion(const MotionInScan& motion, double reference_time);
 
   /// Where the LiDAR was at `time`, seen from where it was at the reference time.
-  Pose at(double time) const {
-    const std::size_t i = knot(time);
-    if (i == kNone) return motion_.at(time - reference_time_);
-    const double rest = since_knot(time, i);
-    const Eigen::Matrix3d& R = R_reference_knot_[i];
-    Pose T_reference_time = Pose::Identity();
-    T_reference_time.translation() = t_reference_knot_[i] + rest * (R * linear_[i]);
-    T_reference_time.linear() = R + rest * turn_[i];
-    return T_reference_time;
-  }
+  Pose at(double time) const;
 
   /// The rotation of at(time), to half a knot: within 0.07 degrees at 90 degrees a second.
   Eigen::Matrix3d rotation(double time) const {

@@ -1,7 +1,6 @@
 // How the LiDAR's motion within a scan deviates from constant acceleration.
 #pragma once
 
-#include <algorithm>
 #include <array>
 
 #include <tilth/core/se3.hpp>
@@ -14,18 +13,12 @@ struct ScanVibration {
   static constexpr int kIntervals = 8;
   std::array<Vector6d, kIntervals + 1> knots;
 
-  ScanVibration() { knots.fill(Vector6d::Zero()); }
+  ScanVibration();
 
-  bool none() const {
-    return std::all_of(knots.begin(), knots.end(), [](const Vector6d& knot) { return knot.isZero(0); });
-  }
+  bool none() const;
 
   /// `ratio` of the scan that is over, 0 to 1.
-  Vector6d at(double ratio) const {
-    const double place = std::clamp(ratio, 0.0, 1.0) * kIntervals;
-    const auto i = std::size_t(std::min(place, double(kIntervals - 1)));
-    return knots[i] + (place - double(i)) * (knots[i + 1] - knots[i]);
-  }
+  Vector6d at(double ratio) const;
 };
 
 /// Standard deviations of the vibration.
@@ -36,11 +29,7 @@ struct VibrationSigma {
 
   bool none() const { return tilt == 0.0 || yaw == 0.0 || translation == 0.0; }
 
-  Vector6d variances() const {
-    Vector6d v;
-    v << tilt * tilt, tilt * tilt, yaw * yaw, Eigen::Vector3d::Constant(translation * translation);
-    return v;
-  }
+  Vector6d variances() const;
 };
 
 /// What scans tell about the size of their vibration, in tilt, yaw and translation: sums of squares [rad^2, rad^2, m^2]

@@ -7,7 +7,6 @@
 namespace tilth {
 namespace {
 
-constexpr float kTurn = 4.0f;       // of the layout's azimuths
 constexpr float kMostSteps = 4.0f;  // columns without a return that still are one run
 
 // [rad] 0 .. 2 pi, to 1e-5, in a few operations (Abramowitz and Stegun 4.4.49).
@@ -72,7 +71,8 @@ void take(const PointCloud& cloud, const RingLayout& rings, const Slots& slots, 
 void order_ring(const PointCloud& cloud, const RingLayout& rings, const Ring& ring, std::span<const std::uint8_t> keep,
                 Sightings& s) {
   const auto begin = rings.azimuth.begin() + ring.begin;
-  const auto wrap = std::uint32_t(std::lower_bound(begin, begin + ring.count, kTurn) - rings.azimuth.begin());
+  const auto wrap =
+      std::uint32_t(std::lower_bound(begin, begin + ring.count, RingLayout::kTurn) - rings.azimuth.begin());
   s.resize(std::size_t(ring.count) + 1);
   s.count = 0;
   Slots first{wrap, ring.begin + ring.count}, second{ring.begin, wrap};

@@ -11,6 +11,7 @@
 #include <sdf/Sphere.hh>
 
 #include <tilth/core/error.hpp>
+#include <tilth/core/turn.hpp>
 #include <tilth/gazebo/shapes.hpp>
 #include <tilth/simulation/solids.hpp>
 
@@ -36,8 +37,7 @@ void add_centred_box(Mesh& mesh, const Place& place, const Vector3d& size) {
 }
 
 void add_plane(Mesh& mesh, const Place& place, const sdf::Plane& plane) {
-  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), vector_of(plane.Normal()));
-  const Eigen::Matrix3d R = place.T_world_shape.linear() * turn.toRotationMatrix();
+  const Eigen::Matrix3d R = place.T_world_shape.linear() * least_turn(Vector3d::UnitZ(), vector_of(plane.Normal()));
   const Vector3d u = plane.Size().X() * R.col(0), v = plane.Size().Y() * R.col(1);
   add_quad(mesh, place.surface, place.T_world_shape.translation() - 0.5 * (u + v), {u, v}, kAllSides);
 }

@@ -1,8 +1,6 @@
 #include <fstream>
 #include <functional>
-#include <iostream>
 #include <iterator>
-#include <sstream>
 
 #include <sdf/Console.hh>
 #include <sdf/Element.hh>
@@ -54,22 +52,23 @@ sdf::Errors load(sdf::Root& root, const std::filesystem::path& path, const std::
 class ParserSettings {
  public:
   explicit ParserSettings(const std::function<std::string(const std::string&)>& find)
-      : config_before_(sdf::ParserConfig::GlobalConfig()), errors_before_(std::cerr.rdbuf(messages_.rdbuf())) {
+      : config_before_(sdf::ParserConfig::GlobalConfig()),
+        messages_before_(sdf::Console::Instance()->GetMsgStream().GetStream()) {
     sdf::ParserConfig::GlobalConfig().SetFindCallback(find);
     sdf::Console::Instance()->SetQuiet(true);
+    sdf::Console::Instance()->GetMsgStream().SetStream(nullptr);
   }
   ~ParserSettings() {
     sdf::ParserConfig::GlobalConfig() = config_before_;
     sdf::Console::Instance()->SetQuiet(false);
-    std::cerr.rdbuf(errors_before_);
+    sdf::Console::Instance()->GetMsgStream().SetStream(messages_before_);
   }
   ParserSettings(const ParserSettings&) = delete;
   ParserSettings& operator=(const ParserSettings&) = delete;
 
  private:
   sdf::ParserConfig config_before_;
-  std::ostringstream messages_;
-  std::streambuf* errors_before_;
+  std::ostream* messages_before_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <set>
 
+#include <tilth/core/evenly_chosen.hpp>
 #include <tilth/io/bin_columns.hpp>
 
 namespace tilth {
@@ -33,7 +34,7 @@ float float_at(std::span<const std::byte> bytes, std::size_t i) {
 
 std::vector<Column> columns_of(std::span<const std::byte> bytes, std::size_t columns) {
   const std::size_t points = bytes.size() / sizeof(float) / columns;
-  const std::size_t step = std::max<std::size_t>(1, points / kSample) | 1U;  // odd, so that no parity is favoured
+  const std::size_t step = stride_of(points, kSample) | 1U;  // odd, so that no parity is favoured
   std::vector<Column> all(columns);
   for (std::size_t i = 0; i + 1 < points; i += step) {
     for (std::size_t c = 0; c < columns; ++c) {

@@ -5,7 +5,7 @@
 namespace tilth {
 namespace {
 
-std::vector<std::size_t> evenly(std::size_t size, std::size_t most) {
+std::vector<std::size_t> ends_and_between(std::size_t size, std::size_t most) {
   std::vector<std::size_t> kept(most);
   for (std::size_t i = 0; i < most; ++i) kept[i] = i * (size - 1) / (most - 1);
   return kept;
@@ -37,7 +37,7 @@ std::vector<float> chosen(const std::vector<float>& values, const std::vector<st
 Curve thinned(const Curve& curve, std::size_t most, PlotKind kind) {
   const bool ordered = kind == PlotKind::lines || kind == PlotKind::path;
   if (!ordered || curve.y.size() <= most || most < 4) return curve;
-  const auto kept = kind == PlotKind::path ? evenly(curve.y.size(), most) : extremes(curve.y, most);
+  const auto kept = kind == PlotKind::path ? ends_and_between(curve.y.size(), most) : extremes(curve.y, most);
   return {curve.name,  chosen(curve.x, kept), chosen(curve.y, kept), chosen(curve.shade, kept),
           curve.truth, curve.behind};
 }

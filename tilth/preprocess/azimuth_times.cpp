@@ -1,12 +1,10 @@
 #include <cmath>
-#include <numbers>
 
+#include <tilth/core/turn.hpp>
 #include <tilth/preprocess/azimuth_times.hpp>
 
 namespace tilth {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 // [rad] clockwise from +x.
 double clockwise(const Eigen::Vector3d& p) {

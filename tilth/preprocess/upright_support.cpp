@@ -5,8 +5,6 @@
 namespace tilth {
 namespace {
 
-constexpr float kTurn = 4.0f;  // of the layout's azimuths
-
 /// Finds azimuths of another ring in this one; quickly where they ascend from call to call.
 class Locator {
  public:
@@ -16,8 +14,8 @@ class Locator {
   /// The first slot whose azimuth is not below `azimuth`; the end if there is none.
   std::uint32_t locate(float azimuth) {
     const float front = azimuth_[begin_];
-    while (azimuth < front) azimuth += kTurn;
-    while (azimuth >= front + kTurn) azimuth -= kTurn;
+    while (azimuth < front) azimuth += RingLayout::kTurn;
+    while (azimuth >= front + RingLayout::kTurn) azimuth -= RingLayout::kTurn;
     if (azimuth < last_) next_ = begin_;
     last_ = azimuth;
     while (next_ < end_ && azimuth_[next_] < azimuth) ++next_;
@@ -58,7 +56,7 @@ void support_from_below(Support& s, std::span<const std::uint32_t> slots, const 
   for (const std::uint32_t slot : slots) {
     const std::uint32_t first = first_locator.locate(l.azimuth[slot - 1]) - lower.begin + n - 1;
     const std::uint32_t last = last_locator.locate(l.azimuth[slot + 1]) - lower.begin + n - 1;
-    const bool far_apart = l.azimuth[slot + 1] - l.azimuth[slot - 1] > kTurn / 2;
+    const bool far_apart = l.azimuth[slot + 1] - l.azimuth[slot - 1] > RingLayout::kTurn / 2;
     const std::uint32_t count = far_apart ? n : std::min(n, (last + n - first) % n + kMore);
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::uint32_t other = lower.begin + (first + i) % n;

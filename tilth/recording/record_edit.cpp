@@ -2,6 +2,7 @@
 #include <array>
 #include <cstring>
 
+#include <tilth/core/evenly_chosen.hpp>
 #include <tilth/recording/record_edit.hpp>
 
 namespace tilth {
@@ -38,7 +39,7 @@ PointRecords kept_records(const PointRecords& records, std::span<const std::uint
 
 PointRecords sampled_records(const PointRecords& records, std::size_t count) {
   PointRecords sample = empty_like(records);
-  const std::size_t step = std::max<std::size_t>(1, records.count / std::max<std::size_t>(count, 1));
+  const std::size_t step = stride_of(records.count, count);
   for (std::size_t i = 0; i < records.count && sample.count < count; i += step) append_record(records, i, sample);
   return sample;
 }

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
 #include <tilth/core/median.hpp>
+#include <tilth/core/turn.hpp>
 #include <tilth/recording/turns.hpp>
 #include <tilth/sensor/azimuth_arc.hpp>
 #include <tilth/sensor/firing_order.hpp>
@@ -11,7 +11,6 @@
 namespace tilth {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kWhole = 300.0 / 360.0 * kTurn;  ///< [rad] a message that covers more is a turn
 constexpr double kNext = 0.4, kFar = 1.7;         ///< widths from a part to the one after it
 constexpr double kSteady = 0.35;                  ///< widths by which that may vary

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
+#include <tilth/core/turn.hpp>
 #include <tilth/recording/turns.hpp>
 #include <tilth/sensor/azimuth_arc.hpp>
 #include <tilth/sensor/firing_order.hpp>
@@ -11,7 +11,6 @@
 namespace tilth {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kGap = 0.75;      ///< of a turn without a part: the next one begins another
 constexpr double kSame = 0.3;      ///< of a part's width from the one before: no later part of the same turn
 constexpr double kRepeated = 0.1;  ///< of a part's width, and the same stamp: the same part again

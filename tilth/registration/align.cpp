@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
+#include <tilth/core/symmetric6.hpp>
 #include <tilth/registration/align.hpp>
 
 namespace tilth {
@@ -36,24 +36,13 @@ bool solve(const LinearSystem& system, double damping, Vector6d& step) {
 
 // Holds the directions whose eigenvalue, of rotations in rad and translations in m, is below `min_information`.
 void hold_weak_directions(const LinearSystem& system, double min_information, AlignState& state) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(system.H);
-  const Vector6d kept = (eigen.eigenvalues().array() >= min_information).cast<double>();
-  state.movable = eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose();
+  const Eigen6d eigen = eigen_of(system.H);
+  const Vector6d kept = (eigen.values.array() >= min_information).cast<double>();
+  state.movable = eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose();
   state.held_directions = 6 - int(kept.sum());
 }
 
 }  // namespace
-
-void add_to(LinearSystem& system, const PairSums& sums, const Eigen::Matrix3d& R_target_source) {
-  const Eigen::Matrix3d &R = R_target_source, Rt = R.transpose();
-  const Eigen::Matrix3d H_rt = Rt * sums.H_rt * R;
-  system.H.topLeftCorner<3, 3>() += Rt * sums.H_rr * R;
-  system.H.topRightCorner<3, 3>() += H_rt;
-  system.H.bottomLeftCorner<3, 3>() += H_rt.transpose();
-  system.H.bottomRightCorner<3, 3>() += Rt * sums.H_tt * R;
-  system.b.head<3>() += Rt * sums.b_r;
-  system.b.tail<3>() += Rt * sums.b_t;
-}
 
 StepOutcome gauss_newton_step(const AlignOptions& options, AlignState& state, AlignResult& result) {
   const LinearSystem system = restricted(state.system, options);
@@ -88,14 +77,14 @@ void diagnose(const LinearSystem& system, double degeneracy_ratio, AlignResult& 
   result.error = system.error;
   result.information = system.H;
   const Vector6d scale = arc_scale(system);
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * system.H * scale.asDiagonal());
-  const double strongest = eigen.eigenvalues()[5];
+  const Eigen6d eigen = eigen_of(scale.asDiagonal() * system.H * scale.asDiagonal());
+  const double strongest = eigen.values[5];
   const double weakest = std::max(degeneracy_ratio * strongest, 1e-9);
-  result.degenerate_directions = int((eigen.eigenvalues().array() < weakest).count());
+  result.degenerate_directions = int((eigen.values.array() < weakest).count());
   const double freedom = std::max(1.0, 3.0 * double(system.matches) - 6.0);
   const double variance = system.matches == 0 ? 1.0 : std::max(2 * system.error / freedom, 1e-12);
-  const Vector6d inverse = eigen.eigenvalues().cwiseMax(1e-9).cwiseInverse();
-  const Matrix6d scaled = eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+  const Vector6d inverse = eigen.values.cwiseMax(1e-9).cwiseInverse();
+  const Matrix6d scaled = eigen.vectors * inverse.asDiagonal() * eigen.vectors.transpose();
   result.covariance = variance * (scale.asDiagonal() * scaled * scale.asDiagonal());
 }
 

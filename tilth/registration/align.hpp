@@ -62,57 +62,6 @@ void visit(AlignOptions& o, V&& v) {
   v("step_ratio", o.step_ratio, Bounds{1e-6, 1}, "[-] of the Gauss-Newton step that is taken", kAdvanced);
 }
 
-/// Normal equations H x = -b of all pairs, and what else one pass over them gives.
-struct LinearSystem {
-  Matrix6d H = Matrix6d::Zero();
-  Vector6d b = Vector6d::Zero();
-  double error = 0.0;          ///< 1/2 sum of weighted squared residuals
-  double weight = 0.0;         ///< sum of the kernel's weights
-  double squared_range = 0.0;  ///< [m^2] sum over the source points
-  std::size_t matches = 0;
-};
-
-/// Sums over pairs as the target sees them: with M = D^T D of a pair and r its lever, the point less the origin of the
-/// source, the moments of M that make up H, and b.
-struct PairSums {
-  Eigen::Matrix3d H_tt = Eigen::Matrix3d::Zero();  ///< M
-  Eigen::Matrix3d H_rt = Eigen::Matrix3d::Zero();  ///< skew(r) M
-  Eigen::Matrix3d H_rr = Eigen::Matrix3d::Zero();  ///< skew(r) M skew(r)^T
-  Eigen::Vector3d b_r = Eigen::Vector3d::Zero();
-  Eigen::Vector3d b_t = Eigen::Vector3d::Zero();
-
-  void add(const Eigen::Matrix3d& M, const Eigen::Vector3d& r, const Eigen::Vector3d& g) {
-    Eigen::Matrix3d rM;
-    for (int i = 0; i < 3; ++i) rM.col(i) = r.cross(M.col(i));
-    H_tt += M;
-    H_rt += rM;
-    for (int i = 0; i < 3; ++i) H_rr.col(i) += r.cross(rM.row(i));
-    b_r += r.cross(g);
-    b_t += g;
-  }
-};
-
-/// Adds what the sums say about a pose with this rotation, perturbed on its right.
-void add_to(LinearSystem& system, const PairSums& sums, const Eigen::Matrix3d& R_target_source);
-
-/// Adds the pairs at T. With D the derivative by the point, the Jacobian is D R [-skew(p), I] = D [-skew(R p), I] R:
-/// D^T D is all that a pair has to give, and R waits for the sums.
-template <Residual R>
-void accumulate(LinearSystem& system, std::span<const R> residuals, const Pose& T, const RobustKernel& kernel) {
-  const Eigen::Matrix3d R_target_source = T.linear();
-  PairSums sums;
-  for (const R& r : residuals) {
-    const ResidualTerms terms = terms_of(r, T);
-    const double w = kernel.weight(terms.squared);
-    sums.add(w * terms.information, R_target_source * r.source, w * terms.gradient);
-    system.error += 0.5 * w * terms.squared;
-    system.weight += w;
-    system.squared_range += r.source.squaredNorm();
-  }
-  add_to(system, sums, R_target_source);
-  system.matches += residuals.size();
-}
-
 /// What a registration carries from one step to the next.
 struct AlignState {
   LinearSystem system;                      ///< at the pose before the next step

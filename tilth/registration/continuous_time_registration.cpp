@@ -3,9 +3,9 @@
 #include <optional>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <tilth/core/symmetric6.hpp>
 #include <tilth/registration/continuous_time_registration.hpp>
 #include <tilth/registration/continuous_time_system.hpp>
 #include <tilth/registration/vibration.hpp>
@@ -26,11 +26,11 @@ double trust(double ratio, double degeneracy_ratio) {
 Matrix6d trusted_part(const PatchPairs& pairs, const Pose& T_map_lidar, const ContinuousTimeOptions& options) {
   const LinearSystem system = unweighted(pairs, T_map_lidar);
   const Vector6d scale = arc_scale(system);
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * system.H * scale.asDiagonal());
-  const Vector6d ratios = eigen.eigenvalues() / eigen.eigenvalues()[5];
+  const Eigen6d eigen = eigen_of(scale.asDiagonal() * system.H * scale.asDiagonal());
+  const Vector6d ratios = eigen.values / eigen.values[5];
   const Vector6d kept = ratios.unaryExpr([&](double ratio) { return trust(ratio, options.degeneracy_ratio); });
   if ((kept.array() == 1.0).all()) return Matrix6d::Identity();
-  return scale.asDiagonal() * eigen.eigenvectors() * kept.asDiagonal() * eigen.eigenvectors().transpose() *
+  return scale.asDiagonal() * eigen.vectors * kept.asDiagonal() * eigen.vectors.transpose() *
          scale.cwiseInverse().asDiagonal();
 }
 
@@ -111,7 +111,7 @@ bool gauss_newton_step(const PatchPairs& pairs, const ScanPrior& prior, const Co
     const VibratingScan scan{prior.motion.vibration_gain, scale, *prior.knots};
     vibration = vibration_prior(prior.motion.vibration, prior.motion.vibration_mean, scan, options.vibration);
     const VibrationSystem whole = vibration_system(at_state.parts, system, vibration, state);
-    vibration_factor.emplace(whole.H);
+    vibration_factor = factor_of(whole);
     if (!step_with_vibration(whole, *vibration_factor, step, state.motion.vibration)) return false;
   }
   state.T_map_lidar = retract(state.T_map_lidar, step.head<6>());

@@ -1,11 +1,15 @@
 // One matched pair each: its residual at T = T_target_source, and the derivative of the residual with respect to the
-// point T * source. Pure mathematics; every type answers the concept Residual.
+// point T * source; and what all pairs add to the normal equations. Pure mathematics; every type answers the concept
+// Residual.
 #pragma once
 
-#include <Eigen/Cholesky>
+#include <cstddef>
+#include <span>
+
 #include <Eigen/Core>
 
 #include <tilth/core/se3.hpp>
+#include <tilth/registration/robust_kernel.hpp>
 
 namespace tilth {
 
@@ -16,11 +20,7 @@ concept Residual = requires(const R& r, const Pose& T) {
 };
 
 /// d(T p) / d(perturbation) = [-R skew(p), R].
-inline Eigen::Matrix<double, 3, 6> point_jacobian(const Pose& T, const Eigen::Vector3d& p) {
-  Eigen::Matrix<double, 3, 6> J;
-  J << -T.linear() * skew(p), T.linear();
-  return J;
-}
+Eigen::Matrix<double, 3, 6> point_jacobian(const Pose& T, const Eigen::Vector3d& p);
 
 /// Of the residual with respect to a right perturbation of T, rotation first.
 template <Residual R>
@@ -31,24 +31,22 @@ auto jacobian(const R& r, const Pose& T) {
 struct PointToPoint {
   Eigen::Vector3d source, target;
 
-  Eigen::Vector3d residual(const Pose& T) const { return T * source - target; }
-  Eigen::Matrix3d derivative() const { return Eigen::Matrix3d::Identity(); }
+  Eigen::Vector3d residual(const Pose& T) const;
+  Eigen::Matrix3d derivative() const;
 };
 
 struct PointToPlane {
   Eigen::Vector3d source, target, normal;
 
-  Eigen::Matrix<double, 1, 1> residual(const Pose& T) const {
-    return Eigen::Matrix<double, 1, 1>(normal.dot(T * source - target));
-  }
-  Eigen::RowVector3d derivative() const { return normal.transpose(); }
+  Eigen::Matrix<double, 1, 1> residual(const Pose& T) const;
+  Eigen::RowVector3d derivative() const;
 };
 
 struct PointToLine {
   Eigen::Vector3d source, target, direction;
 
-  Eigen::Vector3d residual(const Pose& T) const { return direction.cross(T * source - target); }
-  Eigen::Matrix3d derivative() const { return skew(direction); }
+  Eigen::Vector3d residual(const Pose& T) const;
+  Eigen::Matrix3d derivative() const;
 };
 
 /// GICP: the difference of two Gaussians' means, weighed by their joint covariance (Fu et al. 2026, section 2.2):
@@ -58,8 +56,8 @@ struct DistributionToDistribution {
   Eigen::Vector3d source, target;
   Eigen::Matrix3d information;  ///< (R Sigma_p R^T + Sigma_q)^-1
 
-  Eigen::Vector3d residual(const Pose& T) const { return derivative() * (T * source - target); }
-  Eigen::Matrix3d derivative() const { return information.llt().matrixU(); }
+  Eigen::Vector3d residual(const Pose& T) const;
+  Eigen::Matrix3d derivative() const;
 };
 
 /// What a pair's residual e and its derivative D, by the point in the target's frame, have to give.
@@ -69,27 +67,29 @@ struct ResidualTerms {
   Eigen::Matrix3d information;  ///< D^T D
 };
 
-template <Residual R>
-ResidualTerms terms_of(const R& r, const Pose& T) {
-  const auto e = r.residual(T).eval();
-  const auto D = r.derivative();
-  return {e.squaredNorm(), D.transpose() * e, D.transpose() * D};
-}
-
-inline ResidualTerms terms_of(const DistributionToDistribution& r, const Pose& T) {
-  const Eigen::Vector3d offset = T * r.source - r.target, gradient = r.information * offset;
-  return {offset.dot(gradient), gradient, r.information};
-}
+ResidualTerms terms_of(const DistributionToDistribution& r, const Pose& T);
 
 /// The inverse of a covariance, which must be positive definite, from its lower half.
-inline Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& C) {
-  const double xx = C(1, 1) * C(2, 2) - C(2, 1) * C(2, 1), xy = C(2, 0) * C(2, 1) - C(1, 0) * C(2, 2);
-  const double xz = C(1, 0) * C(2, 1) - C(2, 0) * C(1, 1), yy = C(0, 0) * C(2, 2) - C(2, 0) * C(2, 0);
-  const double yz = C(1, 0) * C(2, 0) - C(0, 0) * C(2, 1), zz = C(0, 0) * C(1, 1) - C(1, 0) * C(1, 0);
-  const double ratio = 1 / (C(0, 0) * xx + C(1, 0) * xy + C(2, 0) * xz);
-  Eigen::Matrix3d inverse;
-  inverse << ratio * xx, ratio * xy, ratio * xz, ratio * xy, ratio * yy, ratio * yz, ratio * xz, ratio * yz, ratio * zz;
-  return inverse;
-}
+Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& C);
+
+/// Normal equations H x = -b of all pairs, and what else one pass over them gives.
+struct LinearSystem {
+  Matrix6d H = Matrix6d::Zero();
+  Vector6d b = Vector6d::Zero();
+  double error = 0.0;          ///< 1/2 sum of weighted squared residuals
+  double weight = 0.0;         ///< sum of the kernel's weights
+  double squared_range = 0.0;  ///< [m^2] sum over the source points
+  std::size_t matches = 0;
+};
+
+/// Adds the pairs at T.
+template <Residual R>
+void accumulate(LinearSystem& system, std::span<const R> residuals, const Pose& T, const RobustKernel& kernel);
+
+extern template void accumulate(LinearSystem&, std::span<const PointToPoint>, const Pose&, const RobustKernel&);
+extern template void accumulate(LinearSystem&, std::span<const PointToPlane>, const Pose&, const RobustKernel&);
+extern template void accumulate(LinearSystem&, std::span<const PointToLine>, const Pose&, const RobustKernel&);
+extern template void accumulate(LinearSystem&, std::span<const DistributionToDistribution>, const Pose&,
+                                const RobustKernel&);
 
 }  // namespace tilth

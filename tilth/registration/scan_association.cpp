@@ -2,6 +2,7 @@
 #include <limits>
 
 #include <tilth/core/error.hpp>
+#include <tilth/registration/accumulate.hpp>
 #include <tilth/registration/line_plane_association.hpp>
 #include <tilth/registration/scan_association.hpp>
 
@@ -87,6 +88,8 @@ std::vector<DuringScan<Pair>> ScanPairs<Pair>::operator()(const Pose& T_start_en
   return pairs;
 }
 
+template void accumulate(LinearSystem&, std::span<const DuringScan<PointToLine>>, const Pose&, const RobustKernel&);
+template void accumulate(LinearSystem&, std::span<const DuringScan<PointToPlane>>, const Pose&, const RobustKernel&);
 template class ScanPairs<PointToLine>;
 template class ScanPairs<PointToPlane>;
 

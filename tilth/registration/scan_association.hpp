@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include <tilth/core/options.hpp>
@@ -91,6 +92,10 @@ class ScanPairs {
   int iterations_ = 0;
 };
 
+extern template void accumulate(LinearSystem&, std::span<const DuringScan<PointToLine>>, const Pose&,
+                                const RobustKernel&);
+extern template void accumulate(LinearSystem&, std::span<const DuringScan<PointToPlane>>, const Pose&,
+                                const RobustKernel&);
 extern template class ScanPairs<PointToLine>;   // through the nearest points of two rows
 extern template class ScanPairs<PointToPlane>;  // through these and the second of the first row
 

@@ -91,6 +91,10 @@ VibrationSystem vibration_system(const SegmentSystems& parts, const ContinuousTi
   return system;
 }
 
+VibrationFactor factor_of(const VibrationSystem& system) {
+  return VibrationFactor(system.H);
+}
+
 bool step_with_vibration(const VibrationSystem& system, const VibrationFactor& factor, Vector12d& step,
                          ScanVibration& vibration) {
   const VibrationSystem::Vector change = factor.solve(-system.b);

@@ -53,6 +53,7 @@ struct VibrationSystem {
 };
 
 using VibrationFactor = Eigen::LLT<VibrationSystem::Matrix>;  ///< of H
+VibrationFactor factor_of(const VibrationSystem& system);
 
 /// Of the `parts` of a scan at `state`, whose pose and velocity, with their priors, are `smooth`.
 VibrationSystem vibration_system(const SegmentSystems& parts, const ContinuousTimeSystem& smooth,

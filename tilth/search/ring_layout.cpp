@@ -10,7 +10,6 @@ namespace tilth {
 namespace {
 
 constexpr std::size_t kMostRings = 1024;
-constexpr float kTurn = 4.0f;         // of the pseudo angle
 constexpr double kWidening = 2e-6;    // [rad] added to elevations: far above the rounding of float
 constexpr float kMostOverlap = 2.0f;  // summed width of the rings' elevations over the whole width
 
@@ -92,9 +91,9 @@ bool measure(RingLayout& l, Ring& ring) {
   if (d.on_axis > 0 || d.descents > 1) return false;
   const std::span<float> azimuth(&l.azimuth[ring.begin], ring.count);
   if (d.descents == 1) {
-    for (float& a : azimuth.subspan(d.last_descent)) a += kTurn;
+    for (float& a : azimuth.subspan(d.last_descent)) a += RingLayout::kTurn;
   }
-  return azimuth.back() <= azimuth.front() + kTurn;
+  return azimuth.back() <= azimuth.front() + RingLayout::kTurn;
 }
 
 template <class T>
@@ -110,7 +109,7 @@ void sort_ring(Build& b, const Ring& ring) {
   b.order.resize(ring.count);
   for (std::uint32_t i = 0; i < ring.count; ++i) {
     float& a = l.azimuth[ring.begin + i];
-    while (a >= kTurn) a -= kTurn;
+    while (a >= RingLayout::kTurn) a -= RingLayout::kTurn;
     b.order[i] = std::uint64_t(std::bit_cast<std::uint32_t>(a + 1.0f)) << 32 | i;
   }
   const auto second_run = std::is_sorted_until(b.order.begin(), b.order.end());
@@ -134,8 +133,8 @@ void pad(RingLayout& l, const Ring& ring) {
   };
   const std::uint32_t n = ring.count;
   for (std::uint32_t i = 0; i < RingLayout::kPad; ++i) {
-    copy(ring.begin + n + i, ring.begin + i, kTurn);
-    copy(ring.begin - 1 - i, ring.begin + n - 1 - i, -kTurn);
+    copy(ring.begin + n + i, ring.begin + i, RingLayout::kTurn);
+    copy(ring.begin - 1 - i, ring.begin + n - 1 - i, -RingLayout::kTurn);
   }
 }
 

@@ -29,12 +29,13 @@ struct Ring {
 struct RingLayout {
   /// Slots on both sides of a ring in which its points go on round the circle, so that windows are plain loads.
   static constexpr std::uint32_t kPad = 96;
+  static constexpr float kTurn = 4.0f;  ///< of the azimuths
 
   std::vector<Ring> rings;           ///< upwards; none is empty
   std::vector<float> x, y, z;        ///< [m] a slot each; y is mirrored where the sensor turns clockwise
   bool mirrored = false;             ///< whether it does
   std::vector<float> ux, uy;         ///< unit horizontal direction (any, for points on the axis)
-  std::vector<float> azimuth;        ///< pseudo angle, 4 a turn: ascending in each ring, pads included
+  std::vector<float> azimuth;        ///< pseudo angle, kTurn a turn: ascending in each ring, pads included
   std::vector<std::uint32_t> index;  ///< of the point in the cloud
 };
 

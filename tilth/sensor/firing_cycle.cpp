@@ -5,12 +5,12 @@
 #include <vector>
 
 #include <tilth/core/median.hpp>
+#include <tilth/core/turn.hpp>
 #include <tilth/sensor/firing_cycle.hpp>
 
 namespace tilth {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kLeastStep = 0.02 * kDegree, kLargestStep = 2.0 * kDegree;  // smaller: two echoes of one shot
 constexpr double kNearAxis = 0.2;                                            // [m] no azimuth there

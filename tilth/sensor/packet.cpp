@@ -7,7 +7,6 @@ namespace tilth {
 namespace {
 
 constexpr std::size_t kShort = 1206, kLong = 1212, kHesai = 568, kPosition = 512;
-constexpr std::uint16_t kTurn = 36000;     // [0.01 deg]
 constexpr std::uint8_t kHesaiYears = 100;  // from 1900, where Hesai counts from, to 2000
 constexpr std::array<std::uint8_t, 8> kDeviceMagic{0xA5, 0xFF, 0x00, 0x5A, 0x11, 0x11, 0x55, 0x55};
 
@@ -75,7 +74,7 @@ bool DataPacket::dual() const {
 }
 
 bool DataPacket::valid(std::size_t block) const {
-  return (size() == kHesai || has_flag(payload_, begin_of(block))) && azimuth(block) < kTurn;
+  return (size() == kHesai || has_flag(payload_, begin_of(block))) && azimuth(block) < kAzimuthsATurn;
 }
 
 std::uint16_t DataPacket::azimuth(std::size_t block) const {

@@ -27,6 +27,8 @@ PacketKind kind_of(std::span<const std::byte> payload);
 /// Where sensors send packets of that kind as they come from their makers; of kind other, as data.
 std::uint16_t factory_port(PacketKind kind);
 
+inline constexpr double kAzimuthsATurn = 36000.0;  ///< [0.01 deg] as packets count them
+
 constexpr std::size_t kMostSlots = 32;  ///< of a block, whatever the sensor
 
 /// A data packet taken apart. It only looks at the payload, which must outlive it.

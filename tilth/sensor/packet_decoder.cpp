@@ -9,7 +9,6 @@ namespace tilth {
 namespace {
 
 constexpr std::array<std::string_view, 3> kEchoes{"both", "strongest", "farthest"};
-constexpr double kTurn = 36000.0;  // [0.01 deg]
 constexpr double kHundredthDegree = std::numbers::pi / 18000.0;
 constexpr double kBackwards = 1000.0;  // [0.01 deg] a head at rest may vibrate by less
 constexpr double kLeastTurn = 0.5, kWholeTurn = 0.99;
@@ -19,7 +18,7 @@ constexpr double kPause = 1.0;        // [s]
 
 /// [0.01 deg] from a to b, less than half a turn either way.
 double step(double a, double b) {
-  return std::remainder(b - a, kTurn);
+  return std::remainder(b - a, kAzimuthsATurn);
 }
 
 std::optional<double> first_azimuth(const DataPacket& packet) {
@@ -137,8 +136,8 @@ std::optional<Scan> PacketDecoder::turn_to(double azimuth, double time) {
   if (head_) {
     const double forward = azimuth - head_->azimuth;
     const double expected = head_->time > begun_ ? turned_ / (head_->time - begun_) * (time - head_->time) : 0.0;
-    const bool wraps = forward < -kBackwards || expected - forward > 0.5 * kTurn;
-    turned_ += std::max(0.0, wraps && forward < 0.0 ? forward + kTurn : forward);
+    const bool wraps = forward < -kBackwards || expected - forward > 0.5 * kAzimuthsATurn;
+    turned_ += std::max(0.0, wraps && forward < 0.0 ? forward + kAzimuthsATurn : forward);
     if (wraps || time - begun_ > kLongestTurn) {
       closed = close(kLeastTurn);
       turned_ = 0.0, begun_ = time;
@@ -185,7 +184,7 @@ void PacketDecoder::add_point(const Column& column, std::size_t slot, double ran
 /// The open scan, where it turned so far and has points; a new one is opened.
 std::optional<Scan> PacketDecoder::close(double least_turn) {
   Scan scan = std::exchange(open_, Scan{});
-  if (turned_ < least_turn * kTurn || scan.cloud.empty()) {
+  if (turned_ < least_turn * kAzimuthsATurn || scan.cloud.empty()) {
     ++counts_.incomplete;
     return std::nullopt;
   }

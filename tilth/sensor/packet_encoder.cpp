@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kSpacing = 1e-3;  ///< relative, of firings: 1.3 us over a packet
 constexpr double kOffTime = 0.1;   ///< [firings] a point's time may lie off its firing
-constexpr double kTurn = 36000.0;  ///< [0.01 deg]
 
 struct Shot {
   std::uint16_t distance = 0;  // [units]
@@ -59,7 +58,7 @@ void put_block(std::vector<std::byte>& payload, std::size_t block, double azimut
   const PacketLayout& layout = layout_of(PacketTail::velodyne);
   const std::size_t at = block * layout.block_size();
   payload[at] = std::byte(0xFF), payload[at + 1] = std::byte(0xEE);
-  put_little(payload, at + 2, std::uint32_t(std::fmod(std::round(azimuth), kTurn)), 2);
+  put_little(payload, at + 2, std::uint32_t(std::fmod(std::round(azimuth), kAzimuthsATurn)), 2);
   for (std::size_t slot = 0; slot < shots.size(); ++slot) {
     const std::size_t shot = at + layout.block_header + slot * layout.slot_size;
     put_little(payload, shot, shots[slot].distance, 2);
@@ -103,7 +102,7 @@ std::vector<EncodedPacket> encode_scan(const Scan& scan, const LidarModel& lidar
       packets.push_back({0.0, std::vector<std::byte>(format.layout().size)});
       put_tail(packets.back(), format, scan.stamp + time);
     }
-    put_block(packets.back().payload, block % blocks_a_packet, time / lidar.period * kTurn,
+    put_block(packets.back().payload, block % blocks_a_packet, time / lidar.period * kAzimuthsATurn,
               std::span(shots).subspan(block * slots, slots));
   }
   return packets;

@@ -164,7 +164,7 @@ PacketConvention recognise_packets(std::span<const Packet> packets, std::string_
   convention.decisions.push_back("sensor: " + format.title + " (" + format.name + "), by packets of " +
                                  std::to_string(format.layout().size) + " bytes with model byte " +
                                  hexadecimal(first.data.front().model()) + ", one in " + step);
-  convention.decisions.push_back(convention.dual ? "returns: two a shot" : "returns: one a shot");
+  convention.decisions.emplace_back(convention.dual ? "returns: two a shot" : "returns: one a shot");
   convention.decisions.push_back(angle_sentence(convention.format, first.device));
   convention.decisions.push_back("time: of each shot, from the firing table; a packet's time is that of its " +
                                  stamped_shot(format));

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <tilth/core/evenly_chosen.hpp>
 #include <tilth/search/kdtree.hpp>
 #include <tilth/sensor/ring_arcs.hpp>
 
@@ -70,7 +71,7 @@ bool is_thin(std::span<const Eigen::Vector3d> directions) {
 void add_arcs_in_order(std::span<const Eigen::Vector3d> points, std::size_t first_after, std::size_t most,
                        RingArcs& arcs) {
   const OrderedScan scan{points, directions(points), first_after};
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / most);
+  const std::size_t stride = stride_of(points.size(), most);
   std::vector<Eigen::Vector3d> arc;
   for (std::size_t i = 0; i < points.size(); i += stride) {
     if (points[i].norm() > kTooNear && scan.follow(i, arc)) arcs.add(arc);
@@ -80,7 +81,7 @@ void add_arcs_in_order(std::span<const Eigen::Vector3d> points, std::size_t firs
 void add_arcs_of_neighbors(std::span<const Eigen::Vector3d> points, std::size_t most, RingArcs& arcs) {
   const std::vector<Eigen::Vector3d> seen = directions(points);
   const KdTree tree(seen);
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / most);
+  const std::size_t stride = stride_of(points.size(), most);
   std::vector<Neighbor> neighbors;
   std::vector<Eigen::Vector3d> arc, arc_directions;
   for (std::size_t i = 0; i < points.size(); i += stride) {

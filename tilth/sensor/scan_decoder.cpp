@@ -81,7 +81,7 @@ void ScanDecoder::decide_times(std::span<const MeasuredPoints> scans, std::span<
     return;
   }
   if (traits.deskewed) {
-    decisions_.push_back("time: none, the scans of this format are deskewed already");
+    decisions_.emplace_back("time: none, the scans of this format are deskewed already");
     return;
   }
   if (field) {

@@ -4,7 +4,9 @@
 
 #include <Eigen/Cholesky>
 
+#include <tilth/core/evenly_chosen.hpp>
 #include <tilth/core/median.hpp>
+#include <tilth/core/turn.hpp>
 #include <tilth/sensor/sensor_axis.hpp>
 
 namespace tilth {
@@ -90,7 +92,7 @@ double step(const RingArcs& arcs, SensorAxis& at) {
 /// Every `stride`-th arc.
 RingArcs thinned(const RingArcs& arcs, std::size_t most) {
   RingArcs some;
-  const std::size_t stride = std::max<std::size_t>(1, arcs.size() / most);
+  const std::size_t stride = stride_of(arcs.size(), most);
   for (std::size_t i = 0; i < arcs.size(); i += stride) some.add(arcs.arc(i));
   return some;
 }
@@ -122,7 +124,7 @@ Eigen::Vector3d turned_up(const Eigen::Vector3d& axis) {
 
 Eigen::Isometry3d SensorAxis::T_cloud_sensor() const {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis).toRotationMatrix();
+  T.linear() = least_turn(Eigen::Vector3d::UnitZ(), axis);
   T.translation() = origin;
   return T;
 }

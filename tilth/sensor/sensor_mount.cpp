@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include <tilth/core/evenly_chosen.hpp>
 #include <tilth/sensor/beams.hpp>
 #include <tilth/sensor/sensor_mount.hpp>
 
@@ -102,7 +103,7 @@ std::optional<Eigen::Isometry3d> find_mount_of_rings(std::span<const MeasuredPoi
     std::map<double, std::vector<Eigen::Vector3d>> rings;
     for (std::size_t i = 0; i < scan.points.size(); ++i) rings[scan.ring_values[i]].push_back(scan.points[i]);
     for (const auto& [value, ring] : rings) {
-      const std::size_t stride = std::max<std::size_t>(1, ring.size() / kPointsOfRing);
+      const std::size_t stride = stride_of(ring.size(), kPointsOfRing);
       std::vector<Eigen::Vector3d> some;
       for (std::size_t i = 0; i < ring.size(); i += stride) some.push_back(ring[i]);
       if (some.size() >= kFewestPoints) arcs.add(some);

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include <tilth/core/median.hpp>
+#include <tilth/core/turn.hpp>
 #include <tilth/sensor/firing_cycle.hpp>
 #include <tilth/sensor/spin.hpp>
 
 namespace tilth {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kShortestPeriod = 0.04, kLongestPeriod = 0.25;  ///< [s] LiDARs spin at 5 to 20 Hz
 constexpr double kUsualPeriod = 0.1;                             ///< [s]

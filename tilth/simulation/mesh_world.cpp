@@ -1,7 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <tilth/core/error.hpp>
 #include <tilth/simulation/mesh_world.hpp>
@@ -32,6 +36,21 @@ RTCRayHit to_embree(const Ray& ray) {
   out.ray.mask = ~0u;
   out.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   return out;
+}
+
+/// Finds what each ray, they lie side by side, meets first.
+void intersect(RTCScene scene, std::span<RTCRayHit> rays) {
+#if RTC_VERSION_MAJOR >= 4
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  for (RTCRayHit& ray : rays) rtcIntersect1(scene, &ray, &arguments);
+#else
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect1M(scene, &context, rays.data(), unsigned(rays.size()), sizeof(RTCRayHit));
+#endif
 }
 
 }  // namespace
@@ -97,10 +116,7 @@ std::vector<Hit> MeshWorld::cast(std::span<const Ray> rays) const {
   if (rays.empty()) return hits;
   std::vector<RTCRayHit> packet(rays.size());
   std::transform(rays.begin(), rays.end(), packet.begin(), to_embree);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect1M(tree_->scene, &context, packet.data(), unsigned(packet.size()), sizeof(RTCRayHit));
+  intersect(tree_->scene, packet);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (packet[i].hit.geomID != RTC_INVALID_GEOMETRY_ID) hits[i] = hit_of(rays[i], packet[i].hit.primID);
   }

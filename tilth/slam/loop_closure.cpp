@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <tilth/core/symmetric6.hpp>
 #include <tilth/slam/loop_closure.hpp>
 
 namespace tilth {
@@ -19,17 +20,17 @@ Vector6d arc_scale(const SurfacePatches& patches) {
 
 // The registration's information, no more than `noise` allows, and none along degenerate directions.
 void weigh(const Matrix6d& information, const Vector6d& scale, const VerifyOptions& options, LoopClosure& closure) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * information * scale.asDiagonal());
-  const double weakest = options.degeneracy_ratio * eigen.eigenvalues()[5];
+  const Eigen6d eigen = eigen_of(scale.asDiagonal() * information * scale.asDiagonal());
+  const double weakest = options.degeneracy_ratio * eigen.values[5];
   Vector6d weights = Vector6d::Zero();
   for (int i = 0; i < 6; ++i) {
-    const double strength = eigen.eigenvalues()[i];
+    const double strength = eigen.values[i];
     if (!(strength > 0) || strength < weakest)
       ++closure.degenerate_directions;
     else
       weights[i] = 1 / (options.variance_scale / strength + options.noise * options.noise);
   }
-  const Matrix6d back = scale.cwiseInverse().asDiagonal() * eigen.eigenvectors();
+  const Matrix6d back = scale.cwiseInverse().asDiagonal() * eigen.vectors;
   closure.constraint.information = back * weights.asDiagonal() * back.transpose();
 }
 

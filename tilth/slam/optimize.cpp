@@ -2,8 +2,7 @@
 #include <ceres/ceres.h>
 #include <memory>
 
-#include <Eigen/Eigenvalues>
-
+#include <tilth/core/symmetric6.hpp>
 #include <tilth/slam/optimize.hpp>
 
 namespace tilth {
@@ -25,8 +24,8 @@ Pose pose_of(const Parameters& p) {
 
 // W with W^T W = information, also where some directions have none.
 Matrix6d square_root(const Matrix6d& information) {
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(information);
-  return eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() * eigen.eigenvectors().transpose();
+  const Eigen6d eigen = eigen_of(information);
+  return eigen.values.cwiseMax(0).cwiseSqrt().asDiagonal() * eigen.vectors.transpose();
 }
 
 // The error of a constraint, whitened: twice the vector part of the quaternion that is left, which is the rotation to

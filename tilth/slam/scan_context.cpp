@@ -1,12 +1,10 @@
 #include <cmath>
-#include <numbers>
 
+#include <tilth/core/turn.hpp>
 #include <tilth/slam/scan_context.hpp>
 
 namespace tilth {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 // 1 - cosine of two columns, averaged over those that hold something in either place (Kim and Kim, eq. 6).
 double shifted_distance(const ScanContext& query, const ScanContext& candidate, Eigen::Index shift) {

@@ -1,5 +1,6 @@
 #include <chrono>
 
+#include <tilth/core/counted.hpp>
 #include <tilth/core/error.hpp>
 #include <tilth/sources/live_source.hpp>
 #include <tilth/sources/source_uri.hpp>
@@ -108,7 +109,7 @@ std::vector<std::string> LiveSource::notices() const {
   const LiveCounts c = counts();
   std::vector<std::string> all;
   const auto tell = [&](std::size_t n, const std::string& noun, const std::string& rest) {
-    if (n > 0) all.push_back(std::to_string(n) + " " + noun + (n == 1 ? "" : "s") + " " + rest);
+    if (n > 0) all.push_back(counted(n, noun) + " " + rest);
   };
   tell(c.dropped, "scan", "of " + std::to_string(c.scans) + " dropped: registration was too slow for them");
   tell(c.packets.dropped, "packet", "dropped: too many waited to be decoded");

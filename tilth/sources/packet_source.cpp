@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include <tilth/core/counted.hpp>
 #include <tilth/core/error.hpp>
 #include <tilth/io/pcap.hpp>
 #include <tilth/sources/packet_source.hpp>
@@ -13,10 +14,6 @@ namespace tilth {
 namespace {
 
 constexpr std::size_t kFirstPackets = 2000;  ///< one device packet of Leishen among them, which sends one a second
-
-std::string counted(std::size_t n, const std::string& noun) {
-  return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
-}
 
 std::string date_text(double utc) {
   const auto seconds = std::time_t(utc);

@@ -11,9 +11,9 @@ class SimulatedSource : public ScanSource {
     const SimulationOptions& options = opened.options;
     for (const std::string& warning : opened.warnings) decisions_.push_back("world file: " + warning);
     decisions_.push_back("scans: simulated, scene " + scene + ", sensor " + options.sensor);
-    if (!simulator_->beams().ideal()) decisions_.push_back("beams: simulated with constant errors");
-    decisions_.push_back(options.noise.snapshot ? "times: none, every scan is a snapshot"
-                                                : "times: seconds since the first firing of a scan");
+    if (!simulator_->beams().ideal()) decisions_.emplace_back("beams: simulated with constant errors");
+    decisions_.emplace_back(options.noise.snapshot ? "times: none, every scan is a snapshot"
+                                                   : "times: seconds since the first firing of a scan");
   }
 
   std::optional<Scan> next() override {

@@ -1,0 +1,1 @@
+target_compile_options(tilth_plot PRIVATE ${TILTH_QUICKLY_COMPILED})
