@@ -23,7 +23,7 @@ struct BeamCalibrationOptions {
   double floor = 0.005;      ///< [m]
   double kernel = 3.0;       ///< [-]
   double doubt = 0.25;       ///< [-]
-  double model_error = 0.5;  ///< [-]
+  double model_error = 0.7;  ///< [-]
   double significance = 2;   ///< [-]
 };
 
