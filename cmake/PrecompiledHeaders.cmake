@@ -1,5 +1,5 @@
-# What nearly every file includes is compiled once for the rooms, once for the tests and once for the program: half of the
-# build's time. Every file includes what it uses all the same; TILTH_PRECOMPILED_HEADERS=OFF shows what is missing.
+# What nearly every file includes is compiled once for the rooms, once for the tests and once for the program: a third of
+# the time of the build. Every file includes what it uses all the same; TILTH_PRECOMPILED_HEADERS=OFF shows what is missing.
 # tilth_precompiled(<name> [LIBRARIES <target>...] [HEADERS <header>...])    beside those that all share
 # tilth_use_precompiled(<target> <name>)    compiled with the same options
 set(precompiled_headers

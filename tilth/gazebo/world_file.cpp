@@ -1,6 +1,9 @@
 #include <fstream>
 #include <functional>
+#include <iostream>
 #include <iterator>
+#include <mutex>
+#include <sstream>
 
 #include <sdf/Console.hh>
 #include <sdf/Element.hh>
@@ -39,16 +42,31 @@ std::string sdf_text(const std::filesystem::path& path) {
   return text;
 }
 
+/// What libsdformat cannot be kept from saying goes nowhere while this lives: models that it does not find, and its
+/// reader of robots' descriptions, write to std::cerr itself.
+class NoErrorMessages {
+ public:
+  NoErrorMessages() : before_(std::cerr.rdbuf(messages_.rdbuf())) {}
+  ~NoErrorMessages() { std::cerr.rdbuf(before_); }
+  NoErrorMessages(const NoErrorMessages&) = delete;
+  NoErrorMessages& operator=(const NoErrorMessages&) = delete;
+
+ private:
+  std::ostringstream messages_;
+  std::streambuf* before_;
+};
+
 /// Worlds of Gazebo classic may have a comment before <?xml ...?>, where XML allows nothing: there it is taken out.
 sdf::Errors load(sdf::Root& root, const std::filesystem::path& path, const std::string& text) {
   const std::size_t begin = text.find("<?xml"), end = text.find("?>", std::min(begin, text.size()));
+  const NoErrorMessages silence;
   const bool late = begin != std::string::npos && end != std::string::npos && text.find('<') < begin;
   if (!late) return root.Load(std::filesystem::absolute(path).string());
   return root.LoadSdfString(text.substr(0, begin) + text.substr(end + 2));
 }
 
 /// libsdformat looks for models within models, and says what is wrong with them, by its global settings alone: they are
-/// ours while this lives.
+/// ours while this lives, of which there is one at a time.
 class ParserSettings {
  public:
   explicit ParserSettings(const std::function<std::string(const std::string&)>& find)
@@ -67,6 +85,8 @@ class ParserSettings {
   ParserSettings& operator=(const ParserSettings&) = delete;
 
  private:
+  static inline std::mutex mutex_;
+  std::lock_guard<std::mutex> lock_{mutex_};
   sdf::ParserConfig config_before_;
   std::ostream* messages_before_;
 };
