@@ -14,6 +14,7 @@
 #include "run_session.hpp"
 #include "source_flags.hpp"
 #include "threads.hpp"
+#include <tilth/core/counted.hpp>
 #include <tilth/core/error.hpp>
 #include <tilth/io/beam_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
@@ -60,7 +61,7 @@ void require_windows(const GatheredKeyframes& gathered, const BeamCalibrationOpt
   if (windows >= kFewestWindows) return;
   const std::size_t needed = (kFewestWindows - windows - 1) * window + window / 2 + 1;
   const double metres = std::ceil(o.step * double(needed - gathered.left_over));
-  throw Error(source, "gives " + std::to_string(windows) + " windows of " + std::to_string(window) +
+  throw Error(source, "gives " + counted(windows, "window") + " of " + std::to_string(window) +
                           " keyframes, at least " + std::to_string(kFewestWindows) + " are needed: drive at least " +
                           std::to_string(int(metres)) + " m more");
 }

@@ -87,7 +87,7 @@ TEST_F(Calibrate, OfIdealBeamsThereIsNothingToCorrect) {
 TEST_F(Calibrate, RefusesADriveThatIsTooShortAndSaysHowMuchIsMissing) {
   const std::string drive = "sim://corridor_fast?duration=7&columns=300";
   const std::vector<std::string> calibrate{"calibrate", drive, "--out", in("beams.yaml")};
-  expect_refused(tilth(calibrate), {drive, "0 windows", "at least 3", "drive at least ", " m more"});
+  expect_refused(tilth(calibrate), {drive, "1 window of 12", "at least 3", "drive at least ", " m more"});
 }
 
 TEST_F(Calibrate, RefusesWhatCannotBeDoneBeforeItDrives) {
