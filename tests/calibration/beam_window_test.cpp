@@ -100,7 +100,6 @@ TEST(SurfaceRows, DistancesChangeAsTheirDerivativesSay) {
     WeightedRows before = weighted_rows(at, exact);
     before.weight.setOnes();
     fit_planes(before);
-    // But for the few cells that a point has left for the one beside.
     // A few cells have lost a point to the one beside: their changes are clipped.
     const Eigen::ArrayXd said = expected.residual - before.residual, seen = found.residual - before.residual;
     const double most = 3 * std::sqrt(said.square().mean());

@@ -8,7 +8,6 @@
 
 #include <tilth/calibration/beam_estimator.hpp>
 #include <tilth/calibration/beam_window.hpp>
-#include <tilth/core/error.hpp>
 #include <tilth/core/median.hpp>
 #include <tilth/core/parallel.hpp>
 

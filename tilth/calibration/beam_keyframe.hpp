@@ -27,7 +27,7 @@ struct BeamKeyframe {
 /// Which returns are kept.
 struct ReturnChoice {
   double min_range = 0.8, max_range = 60.0;  ///< [m]
-  std::size_t most = 6000;                   ///< returns, evenly chosen in the order of the cloud
+  std::size_t most = 6000;                   ///< returns: of every ring the same share, evenly
 };
 
 /// The returns of a cloud with rings; those without intensities count as bright.

@@ -1,8 +1,6 @@
 // How the errors of beams are estimated.
 #pragma once
 
-#include <numbers>
-
 #include <tilth/core/options.hpp>
 
 namespace tilth {

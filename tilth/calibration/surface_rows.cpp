@@ -16,8 +16,7 @@ SurfacePoint surface_point(const BeamKeyframe& keyframe, const ScanMotion& motio
   const Vector3d measured = r.point.cast<double>();
   const Vector3d direction = true_direction(beams, r.ring, measured.normalized());
   const double dim = dimness(r.intensity, beams.bright);
-  const double ring_error = beams.range.empty() ? 0.0 : beams.range[r.ring];
-  const double range = (measured.norm() - ring_error - beams.walk * dim) / (1 + beams.range_scale);
+  const double range = true_range(beams, r.ring, measured.norm(), dim);
   const double level = std::max(std::hypot(direction.x(), direction.y()), 1e-9);
   const Vector3d up(-direction.z() * direction.x() / level, -direction.z() * direction.y() / level, level);
   const Eigen::Matrix3d R = keyframe.T_map_lidar.linear() * motion.rotation(r.time);
@@ -89,12 +88,12 @@ SurfaceRows seen_by_various(std::vector<SurfaceRow> rows, const std::vector<Surf
     std::size_t end = i;
     while (end < rows.size() && rows[end].cell == rows[i].cell) ++end;
     if (various(std::span(rows).subspan(i, end - i))) {
+      const auto number = std::uint32_t(result.thickness.size());
       result.thickness.push_back(cells[rows[i].cell].thickness);
       for (std::size_t j = i; j < end; ++j) {
-        rows[j].cell = std::uint32_t(result.cells);
+        rows[j].cell = number;
         result.rows.push_back(rows[j]);
       }
-      ++result.cells;
     }
     i = end;
   }

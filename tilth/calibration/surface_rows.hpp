@@ -27,8 +27,7 @@ struct SurfaceRow {
 };
 
 struct SurfaceRows {
-  std::vector<SurfaceRow> rows;  ///< by cell, ascending
-  std::size_t cells = 0;
+  std::vector<SurfaceRow> rows;   ///< by cell, ascending
   std::vector<double> thickness;  ///< [m] of each cell: deviation of its points from its plane
 };
 

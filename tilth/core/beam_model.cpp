@@ -66,6 +66,10 @@ double reported_range(const BeamModel& beams, std::size_t ring, double range, do
   return (1 + beams.range_scale) * range + at(beams.range, ring) + beams.walk * dimness(intensity, beams.bright);
 }
 
+double true_range(const BeamModel& beams, std::size_t ring, double reported, double dim) {
+  return (reported - at(beams.range, ring) - beams.walk * dim) / (1 + beams.range_scale);
+}
+
 PointCloud corrected(const PointCloud& cloud, const BeamModel& beams) {
   if (beams.ideal()) return cloud;
   check_rings(cloud, beams);
@@ -76,9 +80,8 @@ PointCloud corrected(const PointCloud& cloud, const BeamModel& beams) {
     const double range = measured.norm();
     if (!(range > 0)) continue;
     const std::size_t ring = cloud.rings[i];
-    const double walk = dims ? beams.walk * dimness(cloud.intensities[i], beams.bright) : 0.0;
-    const double true_range = (range - at(beams.range, ring) - walk) / (1 + beams.range_scale);
-    result.points[i] = (true_range / range) * true_direction(beams, ring, measured);
+    const double dim = dims ? dimness(cloud.intensities[i], beams.bright) : 0.0;
+    result.points[i] = (true_range(beams, ring, range, dim) / range) * true_direction(beams, ring, measured);
   }
   return result;
 }

@@ -40,6 +40,9 @@ Eigen::Vector3d true_direction(const BeamModel& beams, std::size_t ring, const E
 /// [m] what the beam of `ring` reports of a return at `range`.
 double reported_range(const BeamModel& beams, std::size_t ring, double range, double intensity);
 
+/// [m] the range that the beam of `ring` reports as `reported`, of a return of that dimness.
+double true_range(const BeamModel& beams, std::size_t ring, double reported, double dim);
+
 /// The cloud as ideal beams would have measured it. Intensities count where the cloud has them, else every return is
 /// taken for bright. Throws Error where the cloud has no rings, or one beyond those of a list. O(points).
 PointCloud corrected(const PointCloud& cloud, const BeamModel& beams);

@@ -5,11 +5,8 @@
 #include <tilth/simulation/streetside.hpp>
 
 namespace tilth {
-namespace {
 
 using Eigen::Vector3d;
-
-}  // namespace
 
 Pose frame_at(const Path& path, double arc) {
   for (std::size_t i = 1;; ++i) {
