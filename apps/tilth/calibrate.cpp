@@ -66,23 +66,16 @@ void require_windows(const GatheredKeyframes& gathered, const BeamCalibrationOpt
                           std::to_string(int(metres)) + " m more");
 }
 
-/// What is known before: of a file, whose lists or covariance may be missing, or of any sensor.
-BeamEstimate completed(const std::optional<BeamEstimate>& file, const std::string& name,
-                       const GatheredKeyframes& gathered, const BeamCalibrationOptions& options) {
-  constexpr double kLeast = 1e-6;  // of the variances of any sensor, so that there are none of 0
+/// What is known before: of a file, or of any sensor.
+BeamEstimate known_before(const std::optional<BeamEstimate>& file, const std::string& name,
+                          const GatheredKeyframes& gathered, const BeamCalibrationOptions& options) {
   if (!file) return prior_beams(gathered.rings, gathered.bright, options);
-  const std::size_t beams = file->model.beams(), n = beams > 0 ? beams : gathered.rings;
-  if (gathered.rings > n) {
-    throw Error(name, "has the errors of " + std::to_string(n) + " beams, but the scans are of " +
+  const std::size_t beams = file->model.beams();
+  if (beams > 0 && gathered.rings > beams) {
+    throw Error(name, "has the errors of " + std::to_string(beams) + " beams, but the scans are of " +
                           std::to_string(gathered.rings) + ": it is of another sensor");
   }
-  BeamEstimate prior = prior_beams(n, file->model.bright, options);
-  prior.model = with_parameters(file->model, parameters_of(file->model, n));
-  const Eigen::Index known = file->covariance.rows();
-  const Eigen::VectorXd least = kLeast * prior.covariance.diagonal();
-  prior.covariance.bottomRightCorner(known, known) = file->covariance;
-  prior.covariance.diagonal() += least;
-  return prior;
+  return completed(*file, gathered.rings, options);
 }
 
 void tell(const BeamCalibration& found, const BeamEstimate& prior, double metres, Console& console) {
@@ -144,7 +137,7 @@ int calibrate(const CalibrateArguments& a) {
   if (lost_mostly(scans))
     return console.error("nothing to calibrate by: " + a.run.out + " is not written"), kTrackLostExit;
   require_windows(gathered, options, a.run.source);
-  const BeamEstimate prior = completed(file, a.prior, gathered, options);
+  const BeamEstimate prior = known_before(file, a.prior, gathered, options);
   const auto found = estimate(a, std::move(gathered.windows), prior, options, console);
   if (!found) return stopped(a, console);
   write_beams(a.run.out, found->beams);

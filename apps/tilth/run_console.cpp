@@ -1,8 +1,10 @@
 #include "run_console.hpp"
 
 #include <cstdio>
+#include <filesystem>
 
 #include <tilth/core/counted.hpp>
+#include <tilth/run/beam_record.hpp>
 #include <tilth/run/evaluation_report.hpp>
 #include <tilth/run/summary_json.hpp>
 #include <tilth/run/track_record.hpp>
@@ -46,11 +48,14 @@ void report_run(const RunRecord& record, const std::string& folder, const std::v
   console.note("ended: " + record.ended);
   console.note(counts_line(record));
   console.note(path_line(figures));
+  if (record.beams) console.note("beams: " + beams_sentence(*record.beams));
   if (record.loops) console.note(loops_line(*record.loops));
   console.note(speed_line(figures, record.peak_megabytes));
   if (record.evaluation) console.note(evaluation_table(*record.evaluation));
   std::string names = "in " + folder + ":";
-  for (const std::string& file : files) names += " " + file;
+  for (const std::string& file : files) {
+    if (std::filesystem::exists(std::filesystem::path(folder) / file)) names += " " + file;
+  }
   console.note(names);
 }
 

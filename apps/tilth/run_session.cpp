@@ -17,8 +17,11 @@ namespace {
 
 constexpr const char* kBeams = "file of the errors of the sensor's beams (`tilth calibrate`): every scan is corrected";
 
-std::vector<OptionInfo> describe_beams(const std::string& file) {
-  return {{"source.beams", file, "-", kBeams, "text"}};
+constexpr const char* kLearn = "take errors of the beams out of the scans from where the drive has shown them";
+
+std::vector<OptionInfo> describe_beams(const std::string& file, bool learn) {
+  return {{"source.beams", file, "-", kBeams, "text"},
+          {"source.learn_beams", learn ? "true" : "false", "-", kLearn, "true | false"}};
 }
 
 }  // namespace
@@ -33,8 +36,9 @@ void add_threads_flag(CLI::App& command, RunArguments& arguments) {
   command.add_option("--threads", arguments.threads, "0: as many as there are processors")->check(CLI::Range(0, 1024));
 }
 
-void add_beams_flag(CLI::App& command, RunArguments& arguments) {
+void add_beams_flags(CLI::App& command, RunArguments& arguments) {
   command.add_option("--beams", arguments.beams, kBeams)->option_text("FILE");
+  command.add_flag("--learn-beams", arguments.learn_beams, kLearn);
 }
 
 PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>& source_options,
@@ -43,16 +47,17 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
   PlannedRun plan;
   plan.record = new_record(arguments.source, choice.name, choice.values);
   add_options(source_options, source_defaults, plan.record);
-  add_options(describe_beams(arguments.beams), describe_beams({}), plan.record);
-  if (!arguments.beams.empty()) plan.beams = read_beams(arguments.beams).model;
+  add_options(describe_beams(arguments.beams, arguments.learn_beams), describe_beams({}, false), plan.record);
+  if (!arguments.beams.empty()) plan.beams = read_beams(arguments.beams);
   plan.record.map = MapBuilder(with<MapOptions>(arguments.map));
   plan.output = with<OutputOptions>(arguments.output);
   plan.report = with<ReportOptions>(arguments.report);
   const SlamOptions slam = with<SlamOptions>(choice.loop);
-  plan.pipeline.odometry = make_odometry(choice.name, choice.values);
+  const BeamLearning learning = arguments.learn_beams ? BeamLearning::correct : BeamLearning::watch;
+  plan.pipeline = with_beams(make_odometry(choice.name, choice.values), learning, plan.beams);
   if (arguments.loop_closure) {
     add_options(describe(slam), describe(SlamOptions{}), plan.record);
-    plan.pipeline = with_loop_closure(std::move(plan.pipeline.odometry), slam);
+    plan.pipeline = with_loop_closure(std::move(plan.pipeline), slam);
   }
   plan.outputs = run_outputs(plan.output, plan.report, arguments.loop_closure);
   return plan;
@@ -60,7 +65,7 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
 
 std::unique_ptr<ScanSource> corrected_source(std::unique_ptr<ScanSource> source, const RunArguments& arguments,
                                              const PlannedRun& plan) {
-  return plan.beams ? beam_corrected_source(std::move(source), *plan.beams, arguments.beams) : std::move(source);
+  return plan.beams ? beam_corrected_source(std::move(source), plan.beams->model, arguments.beams) : std::move(source);
 }
 
 void require_scans(const RunRecord& record, const std::string& source) {

@@ -8,7 +8,7 @@
 
 #include "console.hpp"
 #include "option_arguments.hpp"
-#include <tilth/core/beam_model.hpp>
+#include <tilth/core/beam_estimate.hpp>
 #include <tilth/report/run_outputs.hpp>
 #include <tilth/run/session.hpp>
 
@@ -24,7 +24,7 @@ struct RunArguments {
   OptionValues map, output, report;  ///< of MapOptions, OutputOptions and ReportOptions
   SessionOptions session;
   int threads = 0;  ///< zero: as many as there are processors
-  bool loop_closure = false, quiet = false;
+  bool loop_closure = false, learn_beams = false, quiet = false;
 };
 
 /// Adds a flag for each option of the map, the files and the report. `arguments` must outlive the command.
@@ -33,8 +33,8 @@ void add_output_flags(CLI::App& command, RunArguments& arguments);
 /// Adds --threads.
 void add_threads_flag(CLI::App& command, RunArguments& arguments);
 
-/// Adds --beams.
-void add_beams_flag(CLI::App& command, RunArguments& arguments);
+/// Adds --beams and --learn-beams.
+void add_beams_flags(CLI::App& command, RunArguments& arguments);
 
 /// A run before its first scan.
 struct PlannedRun {
@@ -43,7 +43,7 @@ struct PlannedRun {
   OutputOptions output;
   ReportOptions report;
   std::vector<RunOutput> outputs;
-  std::optional<BeamModel> beams;  ///< that every scan is corrected by
+  std::optional<BeamEstimate> beams;  ///< that every scan is corrected by
 };
 
 /// The run that is asked for; `source_options` are told in its record, with their defaults. Throws Error on an option

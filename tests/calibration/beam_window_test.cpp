@@ -116,8 +116,24 @@ TEST(BeamKeyframe, ReturnsAreChosenFromEveryRing) {
     cloud.rings.push_back(std::uint16_t(i % 16));
   }
   std::array<int, 16> of_ring{};
-  for (const BeamReturn& r : choose_returns(cloud, {.most = 4000})) ++of_ring[r.ring];
-  for (const int count : of_ring) EXPECT_EQ(count, 250);
+  for (const BeamReturn& r : choose_returns(cloud, {.most = 800})) ++of_ring[r.ring];
+  for (const int count : of_ring) EXPECT_EQ(count, 50);
+}
+
+TEST(BeamKeyframe, MeansLieOnTheSurfaceOfTheirReturns) {
+  PointCloud cloud;
+  for (int i = 0; i < 100; ++i) {  // a wall 4 m ahead, and beside it one 6 m ahead
+    cloud.points.emplace_back(i < 50 ? 4 : 6, 0.02 * (i - 50), 0.5);
+    cloud.rings.push_back(0);
+  }
+  int returns = 0;
+  const std::vector<BeamReturn> means = choose_returns(cloud, {.most = 100});
+  for (const BeamReturn& r : means) {
+    returns += r.count;
+    EXPECT_NEAR(r.point.x(), r.point.x() < 5 ? 4 : 6, 1e-5);
+  }
+  EXPECT_EQ(returns, 100);
+  EXPECT_LT(means.size(), 20U);
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ TEST(Session, GoesNoFurtherWhereASinkRefuses) {
 
 TEST(Session, ClosesTheLoopsAtItsEnd) {
   Session session(std::make_unique<ScanList>(small_scans(6)),
-                  with_loop_closure(std::make_unique<MetreAScan>(), SlamOptions{}));
+                  with_loop_closure({std::make_unique<MetreAScan>()}, SlamOptions{}));
   EXPECT_EQ(session.run(), RunEnd::end_of_input);
   ASSERT_TRUE(session.record().loops.has_value());
   EXPECT_EQ(session.record().loops->odometry.size(), 6U);

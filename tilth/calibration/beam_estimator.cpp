@@ -1,43 +1,15 @@
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numbers>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-
 #include <tilth/calibration/beam_estimator.hpp>
-#include <tilth/calibration/beam_window.hpp>
-#include <tilth/core/median.hpp>
+#include <tilth/calibration/beam_evidence.hpp>
 #include <tilth/core/parallel.hpp>
 
 namespace tilth {
 namespace {
 
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kStrict = 2;  // last iterations, in which only what is believed is applied
-
-/// The problem in units of the prior: theta = mean + spread y, where y is normal with unit covariance.
-struct PriorUnits {
-  VectorXd mean;
-  MatrixXd spread;
-};
-
-/// What the windows say of y: each A y = b, and their sums.
-struct Evidence {
-  std::vector<MatrixXd> A;
-  std::vector<VectorXd> b;
-  MatrixXd sum_A;
-  VectorXd sum_b;
-};
-
-struct Belief {
-  VectorXd y;
-  MatrixXd covariance;  // of y
-  std::size_t believed = 0;
-};
 
 std::vector<BeamWindow> linearize(const KeyframeWindows& windows, const BeamModel& beams, std::size_t rings,
                                   const BeamCalibrationOptions& options) {
@@ -46,70 +18,6 @@ std::vector<BeamWindow> linearize(const KeyframeWindows& windows, const BeamMode
     for (std::size_t i = begin; i < end; ++i) result[i] = beam_window(windows[i], beams, rings, options);
   });
   return result;
-}
-
-Evidence evidence_of(const std::vector<BeamWindow>& windows, const PriorUnits& prior, const VectorXd& theta) {
-  Evidence evidence;
-  const Eigen::Index n = theta.size();
-  evidence.sum_A = MatrixXd::Zero(n, n), evidence.sum_b = VectorXd::Zero(n);
-  for (const BeamWindow& w : windows) {
-    evidence.A.push_back(prior.spread.transpose() * w.information * prior.spread);
-    evidence.b.push_back(prior.spread.transpose() * (w.information * (theta - prior.mean) - w.gradient));
-    evidence.sum_A += evidence.A.back(), evidence.sum_b += evidence.b.back();
-  }
-  return evidence;
-}
-
-/// The posterior's mean, with the prior `ridge` times as firm as it is.
-VectorXd posterior_mean(const Evidence& evidence, double ridge) {
-  const Eigen::Index n = evidence.sum_b.size();
-  return (evidence.sum_A + ridge * MatrixXd::Identity(n, n)).ldlt().solve(evidence.sum_b);
-}
-
-/// Direction by direction of the parameters' space (eigenvectors of the information): how far the windows scatter about
-/// what they say together (the sandwich estimator: H. White, Econometrica 48, 1980), and whether that is enough.
-Belief believe(const Evidence& evidence, const BeamCalibrationOptions& options) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(evidence.sum_A);
-  const MatrixXd& Q = solver.eigenvectors();
-  const VectorXd y = posterior_mean(evidence, 1);
-  const Eigen::Index n = y.size();
-  VectorXd scatter = VectorXd::Zero(n);
-  for (std::size_t w = 0; w < evidence.A.size(); ++w) {
-    scatter += (Q.transpose() * (evidence.b[w] - evidence.A[w] * y)).cwiseAbs2();
-  }
-  const double windows = double(evidence.A.size());
-  if (windows > 1) scatter *= windows / (windows - 1);
-  Belief belief;
-  VectorXd in_directions = VectorXd::Zero(n), variances(n);
-  for (Eigen::Index j = 0; j < n; ++j) {
-    const double information = std::max(solver.eigenvalues()[j], 0.0);
-    const double found = Q.col(j).dot(y);
-    const double model_error = options.model_error * windows;
-    const double deviation =
-        std::sqrt(std::max(scatter[j], information) + model_error * model_error) / (information + 1);
-    const double posterior = std::max(deviation * deviation, 1 / (information + 1));
-    const bool believed = windows > 1 && std::abs(found) > options.significance * deviation;
-    if (believed) ++belief.believed, in_directions[j] = found;
-    variances[j] = std::min(1.0, believed ? posterior : posterior + found * found);
-  }
-  belief.y = Q * in_directions;
-  belief.covariance = Q * variances.asDiagonal() * Q.transpose();
-  return belief;
-}
-
-BeamFit fit_of(const std::vector<BeamWindow>& windows, std::size_t rings) {
-  VectorXd residual = VectorXd::Zero(Eigen::Index(rings)), weight = residual;
-  std::vector<double> thickness;
-  for (const BeamWindow& w : windows) {
-    residual += w.residual, weight += w.weight;
-    if (w.thickness > 0) thickness.push_back(w.thickness);
-  }
-  BeamFit fit;
-  for (Eigen::Index k = 0; k < residual.size(); ++k) {
-    fit.residual.push_back(weight[k] > 0 ? residual[k] / weight[k] : std::numeric_limits<double>::quiet_NaN());
-  }
-  if (!thickness.empty()) fit.thickness = median(thickness);
-  return fit;
 }
 
 }  // namespace
@@ -129,10 +37,22 @@ BeamEstimate prior_beams(std::size_t rings, double bright, const BeamCalibration
   return prior;
 }
 
+BeamEstimate completed(const BeamEstimate& known, std::size_t rings, const BeamCalibrationOptions& options) {
+  constexpr double kLeast = 1e-6;  // of the variances of any sensor, so that there are none of 0
+  const std::size_t n = known.model.beams() > 0 ? known.model.beams() : rings;
+  BeamEstimate prior = prior_beams(n, known.model.bright, options);
+  prior.model = with_parameters(known.model, parameters_of(known.model, n));
+  const Eigen::Index given = known.covariance.rows();
+  const Eigen::VectorXd least = kLeast * prior.covariance.diagonal();
+  prior.covariance.bottomRightCorner(given, given) = known.covariance;
+  prior.covariance.diagonal() += least;
+  return prior;
+}
+
 BeamCalibration estimate_beams(KeyframeWindows windows, const BeamEstimate& prior,
                                const BeamCalibrationOptions& options, const CalibrationProgress& progress) {
   const std::size_t rings = prior.model.beams();
-  const PriorUnits units{parameters_of(prior.model, rings), prior.covariance.llt().matrixL()};
+  const PriorUnits units(prior);
   BeamCalibration result;
   result.beams = prior;
   result.windows = windows.size();
@@ -141,11 +61,12 @@ BeamCalibration estimate_beams(KeyframeWindows windows, const BeamEstimate& prio
   VectorXd theta = units.mean;
   for (int i = 0; i < options.iterations; ++i) {
     const std::vector<BeamWindow> linear = linearize(windows, with_parameters(prior.model, theta), rings, options);
-    if (i == 0) result.before = fit_of(linear, rings);
-    const Evidence evidence = evidence_of(linear, units, theta);
+    if (i == 0) result.before = fit_of(linear);
+    std::vector<WindowEvidence> evidence;
+    for (const BeamWindow& window : linear) evidence.push_back(evidence_of(window, units, theta));
     VectorXd y = posterior_mean(evidence, 1 + options.model_error * double(windows.size()));
     if (i + kStrict >= options.iterations) {
-      const Belief belief = believe(evidence, options);
+      const BeamBelief belief = believe(evidence, options);
       y = belief.y, result.believed = belief.believed;
       result.beams.covariance = units.spread * belief.covariance * units.spread.transpose();
     }
@@ -156,7 +77,7 @@ BeamCalibration estimate_beams(KeyframeWindows windows, const BeamEstimate& prio
   }
   result.beams.model = with_parameters(prior.model, theta);
   const std::vector<BeamWindow> last = linearize(windows, result.beams.model, rings, options);
-  result.after = fit_of(last, rings);
+  result.after = fit_of(last);
   for (const BeamWindow& window : last) result.rows += window.rows;
   return result;
 }

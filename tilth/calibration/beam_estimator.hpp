@@ -8,15 +8,10 @@
 
 #include <tilth/calibration/beam_keyframe.hpp>
 #include <tilth/calibration/beam_options.hpp>
+#include <tilth/calibration/beam_window.hpp>
 #include <tilth/core/beam_estimate.hpp>
 
 namespace tilth {
-
-/// How well surfaces and beams agree, at one model of the beams.
-struct BeamFit {
-  std::vector<double> residual;  ///< [m] of each beam: how long it reads, about the planes; NaN: it saw none
-  double thickness = 0.0;        ///< [m] median deviation of a surface's points from its plane
-};
 
 struct BeamCalibration {
   BeamEstimate beams;
@@ -29,6 +24,10 @@ using KeyframeWindows = std::vector<std::vector<BeamKeyframe>>;
 
 /// What is known of a sensor that nobody has calibrated.
 BeamEstimate prior_beams(std::size_t rings, double bright, const BeamCalibrationOptions& options);
+
+/// `known`, whose lists or covariance may be missing, with those of a sensor that nobody has calibrated in their place;
+/// of `rings` beams where it has no list. It must not have fewer beams than that.
+BeamEstimate completed(const BeamEstimate& known, std::size_t rings, const BeamCalibrationOptions& options);
 
 /// Called after each iteration of `iterations`.
 using CalibrationProgress = std::function<void(int iteration, int iterations)>;

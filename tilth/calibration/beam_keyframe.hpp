@@ -10,11 +10,13 @@
 
 namespace tilth {
 
+/// The mean of a few successive returns of one beam, of one surface as far as their ranges tell.
 struct BeamReturn {
   Eigen::Vector3f point;  ///< [m] in the sensor's frame, as measured
   float time;             ///< [s] since the stamp of the scan
   float intensity;        ///< as the sensor gives it
   std::uint16_t ring;
+  std::uint16_t count = 1;  ///< returns
 };
 
 struct BeamKeyframe {
@@ -27,7 +29,7 @@ struct BeamKeyframe {
 /// Which returns are kept.
 struct ReturnChoice {
   double min_range = 0.8, max_range = 60.0;  ///< [m]
-  std::size_t most = 6000;                   ///< returns: of every ring the same share, evenly
+  std::size_t most;                          ///< means of returns: of every ring the same share, evenly
 };
 
 /// The returns of a cloud with rings; those without intensities count as bright.

@@ -12,6 +12,7 @@ struct BeamCalibrationOptions {
   double sigma_encoder = 0.03;    ///< [deg]
   double step = 0.4;              ///< [m]
   int window = 12;                ///< keyframes
+  int returns = 8000;             ///< of a keyframe
   int most_windows = 120;
   int iterations = 5;
   double cell = 0.6;         ///< [m]
@@ -34,6 +35,8 @@ void visit(BeamCalibrationOptions& o, V&& v) {
   v("sigma_encoder", o.sigma_encoder, Bounds{1e-6, 5}, "[deg] the same of each harmonic of the encoder");
   v("step", o.step, Bounds{0.01, 100}, "[m] of path from one keyframe to the next");
   v("window", o.window, Bounds{5, 200}, "[keyframes] that are adjusted together");
+  v("returns", o.returns, Bounds{100, 1e6},
+    "[means of successive returns] of a keyframe, of every ring the same share");
   v("most_windows", o.most_windows, Bounds{2, 1e6}, "[windows] that are used, evenly chosen of all");
   v("iterations", o.iterations, Bounds{1, 50}, "[-] of Gauss-Newton");
   v("cell", o.cell, Bounds{0.05, 10}, "[m] edge of the cells of surface", kAdvanced);

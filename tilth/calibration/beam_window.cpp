@@ -1,4 +1,5 @@
 #include <array>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Cholesky>
@@ -135,6 +136,21 @@ BeamWindow beam_window(std::span<const BeamKeyframe> keyframes, const BeamModel&
   BeamWindow window = eliminate(weighted_rows(std::move(rows), options), rings, keyframes.size());
   window.thickness = thickness;
   return window;
+}
+
+BeamFit fit_of(std::span<const BeamWindow> windows) {
+  VectorXd residual = VectorXd::Zero(windows.front().residual.size()), weight = residual;
+  std::vector<double> thickness;
+  for (const BeamWindow& w : windows) {
+    residual += w.residual, weight += w.weight;
+    if (w.thickness > 0) thickness.push_back(w.thickness);
+  }
+  BeamFit fit;
+  for (Eigen::Index k = 0; k < residual.size(); ++k) {
+    fit.residual.push_back(weight[k] > 0 ? residual[k] / weight[k] : std::numeric_limits<double>::quiet_NaN());
+  }
+  if (!thickness.empty()) fit.thickness = median(thickness);
+  return fit;
 }
 
 void follow(std::span<BeamKeyframe> keyframes, const BeamWindow& window, const VectorXd& step) {

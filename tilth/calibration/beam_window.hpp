@@ -22,6 +22,15 @@ struct BeamWindow {
   Eigen::VectorXd residual, weight;  ///< of each beam: [m] along the beam, weighted sum; sum of weights
 };
 
+/// How well surfaces and beams agree, at one model of the beams.
+struct BeamFit {
+  std::vector<double> residual;  ///< [m] of each beam: how long it reads, about the planes; NaN: it saw none
+  double thickness = 0.0;        ///< [m] median deviation of a surface's points from its plane
+};
+
+/// Of windows of one sensor, at least one.
+BeamFit fit_of(std::span<const BeamWindow> windows);
+
 /// What rows of `keyframes` keyframes and `rings` beams say, their planes and poses eliminated.
 BeamWindow eliminate(const WeightedRows& w, std::size_t rings, std::size_t keyframes);
 

@@ -75,11 +75,13 @@ void add_cells(std::vector<SurfacePoint>& points, std::vector<SurfaceCell>& cell
     cell_of.push_back(table.insert(voxel_key(voxel_of((p.point - corner) / o.cell), 0)));
   }
   std::vector<SurfaceCell> found(table.size());
-  for (std::size_t i = 0; i < open.size(); ++i) found[cell_of[i]].count += 1, found[cell_of[i]].mean += open[i]->point;
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    found[cell_of[i]].count += open[i]->count, found[cell_of[i]].mean += open[i]->count * open[i]->point;
+  }
   for (SurfaceCell& cell : found) cell.mean /= cell.count;
   for (std::size_t i = 0; i < open.size(); ++i) {
     const Vector3d d = open[i]->point - found[cell_of[i]].mean;
-    found[cell_of[i]].moments += Symmetric3d::product(d, d);
+    found[cell_of[i]].moments += Symmetric3d::product(d, open[i]->count * d);
   }
   std::vector<std::uint32_t> number(found.size(), VoxelTable::kNone);
   for (std::size_t c = 0; c < found.size(); ++c) {
@@ -94,18 +96,19 @@ void add_cells(std::vector<SurfacePoint>& points, std::vector<SurfaceCell>& cell
 /// Drops the cells that are thicker than the noise of the ranges explains: two surfaces, or a curved one, of which each
 /// beam sees the side that faces it.
 void drop_rough(std::vector<SurfacePoint>& points, std::vector<SurfaceCell>& cells, const BeamCalibrationOptions& o) {
-  std::vector<double> seen(cells.size(), 0.0), usual;
+  std::vector<double> frontal(cells.size(), 0.0), explained = frontal, usual;  // by noise of unit variance a return
   for (const SurfacePoint& p : points) {
-    if (p.cell != VoxelTable::kNone)
-      seen[p.cell] += std::pow(p.by_range.dot(cells[p.cell].normal), 2) / cells[p.cell].count;
+    if (p.cell == VoxelTable::kNone) continue;
+    const double share = std::pow(p.by_range.dot(cells[p.cell].normal), 2) / cells[p.cell].count;
+    frontal[p.cell] += p.count * share, explained[p.cell] += share;
   }
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (seen[c] > kFrontal) usual.push_back(std::pow(cells[c].thickness, 2) / seen[c]);
+    if (frontal[c] > kFrontal) usual.push_back(std::pow(cells[c].thickness, 2) / explained[c]);
   }
   if (usual.empty()) return;
   const double variance = median(usual);
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    cells[c].flat = std::pow(cells[c].thickness, 2) < kRough * (seen[c] * variance + o.floor * o.floor);
+    cells[c].flat = std::pow(cells[c].thickness, 2) < kRough * (explained[c] * variance + o.floor * o.floor);
   }
   for (SurfacePoint& p : points) {
     if (p.cell != VoxelTable::kNone && !cells[p.cell].flat) p.cell = VoxelTable::kNone;

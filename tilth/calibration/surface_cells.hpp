@@ -16,6 +16,7 @@ struct SurfacePoint {
   Eigen::Vector3d by_range, by_elevation, by_azimuth;  ///< [-], [m/rad], [m/rad]
   Eigen::Vector4d harmonics;
   double dim;
+  double count;                            ///< returns that it is the mean of
   std::uint32_t cell = VoxelTable::kNone;  ///< of those that are flat
   std::uint16_t keyframe, ring;
 };

@@ -26,7 +26,7 @@ SurfacePoint surface_point(const BeamKeyframe& keyframe, const ScanMotion& motio
   p.by_elevation = R * (range * up);
   p.by_azimuth = R * Vector3d(-range * direction.y(), range * direction.x(), 0);
   p.harmonics = encoder_harmonics(measured);
-  p.dim = dim, p.ring = r.ring;
+  p.dim = dim, p.ring = r.ring, p.count = r.count;
   return p;
 }
 
@@ -52,16 +52,16 @@ void add(SurfaceRow& row, const SurfacePoint& p, const SurfaceCell& cell, const 
          const BeamCalibrationOptions& o) {
   const Vector3d d = p.point - cell.mean;
   const double by_range = cell.normal.dot(p.by_range);
-  row.count += 1;
-  row.distance += cell.normal.dot(d);
-  row.by_range += by_range;
-  row.by_walk += p.dim * by_range;
-  row.by_elevation += doubted(cell.normal.dot(p.by_elevation), p.by_elevation.norm(), o.doubt);
-  row.by_encoder += doubted(cell.normal.dot(p.by_azimuth), p.by_azimuth.norm(), o.doubt) * p.harmonics;
-  row.by_pose.head<3>() += (p.point - place).cross(cell.normal);
-  row.by_pose.tail<3>() += cell.normal;
-  row.along += cell.along.dot(d) / o.cell;
-  row.across += cell.across.dot(d) / o.cell;
+  row.count += p.count;
+  row.distance += p.count * cell.normal.dot(d);
+  row.by_range += p.count * by_range;
+  row.by_walk += p.count * p.dim * by_range;
+  row.by_elevation += p.count * doubted(cell.normal.dot(p.by_elevation), p.by_elevation.norm(), o.doubt);
+  row.by_encoder += p.count * doubted(cell.normal.dot(p.by_azimuth), p.by_azimuth.norm(), o.doubt) * p.harmonics;
+  row.by_pose.head<3>() += p.count * (p.point - place).cross(cell.normal);
+  row.by_pose.tail<3>() += p.count * cell.normal;
+  row.along += p.count * cell.along.dot(d) / o.cell;
+  row.across += p.count * cell.across.dot(d) / o.cell;
 }
 
 void divide(SurfaceRow& row) {

@@ -9,7 +9,8 @@ std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOpt
   std::vector<RunOutput> all{{"trajectory.tum", tum_sink},
                              {"trajectory_kitti.txt", kitti_sink},
                              {"scans.csv", scan_table_sink},
-                             {"summary.json", summary_sink}};
+                             {"summary.json", summary_sink},
+                             {"beams.yaml", beams_sink}};
   const std::set<std::string> maps = map_formats(options);
   for (const char* format : {"pcd", "ply", "las"}) {
     if (maps.contains(format)) all.push_back({std::string("map.") + format, map_sink});

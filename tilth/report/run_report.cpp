@@ -70,6 +70,7 @@ Report report_of(const RunRecord& record, std::size_t map_points) {
   if (judged_run) report.map->paths.push_back({"truth", judged_run->truth_in_world, true});
   report.sections.push_back(path_section(record, judged_run));
   if (judged_run) report.sections.push_back(accuracy_section(record, *judged_run));
+  if (record.beams) report.sections.push_back(beams_section(*record.beams));
   for (const auto& section : {time_section, registration_section, confidence_section, setup_section}) {
     report.sections.push_back(section(record));
   }

@@ -28,6 +28,9 @@ Section registration_section(const RunRecord& record);
 /// Degenerate directions and standard deviations of the pose.
 Section confidence_section(const RunRecord& record);
 
+/// What the drive shows of each beam: its errors, and how long it reads about the planes of the map.
+Section beams_section(const BeamCalibration& found);
+
 /// What was run on what: options that differ from the defaults, input, version, machine.
 Section setup_section(const RunRecord& record);
 

@@ -1,13 +1,10 @@
-// Keyframes for the calibration of beams, gathered from a run (docs/beams.md). Memory is bounded.
+// Keyframes of a whole run, for the calibration of beams (docs/beams.md). Memory is bounded.
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <vector>
 
 #include <tilth/calibration/beam_estimator.hpp>
-#include <tilth/core/track_state.hpp>
-#include <tilth/core/trajectory.hpp>
+#include <tilth/odometry/beam_keyframe_gatherer.hpp>
 #include <tilth/run/sink.hpp>
 
 namespace tilth {
@@ -21,35 +18,23 @@ struct GatheredKeyframes {
   double bright = BeamModel{}.bright;   ///< intensity from which on a return counts as bright
 };
 
-/// A keyframe every `options.step` metres of way, of scans that are tracked and have rings. It is complete one scan
-/// later: its motion is the parabola through the poses before, at and after it, since OdometryResult::motion takes the
-/// encoder's errors for vibration. A window ends where the track is lost.
+/// Gathers from the scans without their outliers.
 class BeamKeyframeSink : public Sink {
  public:
   /// `gathered` must outlive the sink.
   BeamKeyframeSink(const BeamCalibrationOptions& options, GatheredKeyframes& gathered)
-      : options_(options), gathered_(gathered) {}
+      : most_windows_(std::size_t(options.most_windows)), gatherer_(options), gathered_(gathered) {}
 
   void take(const Scan& scan, const OdometryResult& result, const RunRecord& record) override;
   void finish(const RunRecord& record) override;
 
  private:
-  void count_rings(const Scan& scan);
-  void leave_track(TrackState state);
-  void complete_keyframe();
-  bool far_enough(const Pose& T_map_sensor) const;
-  void begin_keyframe(const Scan& scan, const OdometryResult& result);
-  void close_window();
-  void keep(std::vector<BeamKeyframe> window);
+  void keep(BeamKeyframeGatherer::Window window);
 
-  BeamCalibrationOptions options_;
+  std::size_t most_windows_;
+  BeamKeyframeGatherer gatherer_;
   GatheredKeyframes& gathered_;
-  std::vector<StampedPose> past_;              // of the sensor, three at most
-  std::optional<BeamKeyframe> begun_;          // at the last pose of past_
-  std::vector<BeamKeyframe> window_;           // that is being filled
-  std::optional<Eigen::Vector3d> last_place_;  // [m] of a keyframe
-  std::vector<double> brightness_;             // of each keyframe's scan
-  std::size_t windows_ = 0, every_ = 1;        // windows so far, and which of them are kept
+  std::size_t windows_ = 0, every_ = 1;  // windows so far, and which of them are kept
 };
 
 }  // namespace tilth

@@ -1,4 +1,5 @@
 #include <tilth/core/error.hpp>
+#include <tilth/io/beam_file.hpp>
 #include <tilth/io/g2o.hpp>
 #include <tilth/io/las.hpp>
 #include <tilth/io/output_file.hpp>
@@ -35,6 +36,13 @@ std::unique_ptr<Sink> scan_table_sink(const Path& path) {
 
 std::unique_ptr<Sink> summary_sink(const Path& path) {
   return file_sink(path, [](const Path& to, const RunRecord& run) { write_text(to, summary_json(run)); });
+}
+
+std::unique_ptr<Sink> beams_sink(const Path& path) {
+  return file_sink(path, [](const Path& to, const RunRecord& run) {
+    if (run.beams) return write_beams(to, run.beams->beams);
+    std::filesystem::remove(to);  // of an earlier run
+  });
 }
 
 std::unique_ptr<Sink> map_sink(const Path& path) {

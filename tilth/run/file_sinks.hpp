@@ -13,6 +13,9 @@ std::unique_ptr<Sink> kitti_sink(const std::filesystem::path& path);
 std::unique_ptr<Sink> scan_table_sink(const std::filesystem::path& path);
 std::unique_ptr<Sink> summary_sink(const std::filesystem::path& path);
 
+/// What the drive shows of the beams, for the next run's --beams; no file where it shows nothing.
+std::unique_ptr<Sink> beams_sink(const std::filesystem::path& path);
+
 /// The map in the format of its ending: .pcd, .ply or .las. Throws Error naming a path that ends otherwise.
 std::unique_ptr<Sink> map_sink(const std::filesystem::path& path);
 

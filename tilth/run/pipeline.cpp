@@ -32,10 +32,17 @@ std::vector<Pose> corrections(const Trajectory& before, const Trajectory& after)
 
 }  // namespace
 
-Pipeline with_loop_closure(std::unique_ptr<Odometry> odometry, const SlamOptions& options) {
-  auto around = std::make_unique<Slam>(std::move(odometry), options);
-  Slam* const slam = around.get();
-  return {std::move(around), slam};
+Pipeline with_beams(std::unique_ptr<Odometry> odometry, BeamLearning learning, std::optional<BeamEstimate> known) {
+  auto learner = std::make_shared<BeamLearner>(BeamCalibrationOptions{}, std::move(known));
+  auto around = std::make_unique<BeamLearningOdometry>(std::move(odometry), learner, learning);
+  return {.odometry = std::move(around), .beams = std::move(learner)};
+}
+
+Pipeline with_loop_closure(Pipeline pipeline, const SlamOptions& options) {
+  auto around = std::make_unique<Slam>(std::move(pipeline.odometry), options);
+  pipeline.slam = around.get();
+  pipeline.odometry = std::move(around);
+  return pipeline;
 }
 
 void close_loops(Slam& slam, RunRecord& record) {

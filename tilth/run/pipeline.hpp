@@ -2,8 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
-#include <tilth/odometry/odometry.hpp>
+#include <tilth/odometry/beam_learning_odometry.hpp>
 #include <tilth/run/run_record.hpp>
 #include <tilth/slam/slam.hpp>
 
@@ -11,11 +12,15 @@ namespace tilth {
 
 struct Pipeline {
   std::unique_ptr<Odometry> odometry;
-  Slam* slam = nullptr;  ///< in `odometry`, with loop closure
+  Slam* slam = nullptr;                          ///< in `odometry`, with loop closure
+  std::shared_ptr<BeamLearner> beams = nullptr;  ///< that learns beside it
 };
 
+/// The odometry with a calibration of the beams beside it, of scans that are corrected by `known` already.
+Pipeline with_beams(std::unique_ptr<Odometry> odometry, BeamLearning learning, std::optional<BeamEstimate> known = {});
+
 /// The same with loop closure. Throws Error on options that are wrong.
-Pipeline with_loop_closure(std::unique_ptr<Odometry> odometry, const SlamOptions& options);
+Pipeline with_loop_closure(Pipeline pipeline, const SlamOptions& options);
 
 /// Optimises for the last time; then trajectory and map of `record` are the corrected ones, and what led there stands
 /// in `record.loops`.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <tilth/calibration/beam_estimator.hpp>
 #include <tilth/core/options.hpp>
 #include <tilth/core/trajectory.hpp>
 #include <tilth/evaluation/evaluate.hpp>
@@ -27,6 +28,7 @@ struct RunRecord {
   Trajectory trajectory;
   ScanTable scans;
   MapBuilder map{MapOptions{}};
+  std::optional<BeamCalibration> beams;  ///< what the drive shows of the sensor's beams
   std::optional<LoopRecord> loops;       ///< with loop closure; then `trajectory` and `map` are the corrected ones
   std::optional<Evaluation> evaluation;  ///< where the truth is known
   double wall_seconds = 0.0;             ///< [s] of the whole run, files not counted

@@ -54,6 +54,7 @@ RunEnd Session::run(const SessionOptions& options) {
   record_.ended = "it goes on";  // as what is saved meanwhile says
   const RunEnd end = register_scans(options);
   take_notices();
+  if (pipeline_.beams != nullptr) record_.beams = pipeline_.beams->found();
   if (pipeline_.slam != nullptr) close_loops(*pipeline_.slam, record_);
   record_.ended = to_text(end);
   record_.wall_seconds = stopwatch.seconds();

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <tilth/evaluation/distribution.hpp>
+#include <tilth/run/beam_record.hpp>
 #include <tilth/run/evaluation_report.hpp>
 #include <tilth/run/summary_json.hpp>
 #include <tilth/run/track_record.hpp>
@@ -129,6 +130,7 @@ std::string summary_json(const RunRecord& record) {
                   {"peak_megabytes", record.peak_megabytes},
                   {"distance_m", figures.distance},
                   {"end_to_start_m", figures.end_to_start}};
+  if (record.beams) summary["beams"] = Json::parse(beams_json(*record.beams));
   if (record.loops) summary["loop_closure"] = loop_closure(*record.loops);
   if (record.evaluation) summary["evaluation"] = Json::parse(evaluation_json(*record.evaluation));
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <utility>
+
+#include <tilth/odometry/beam_learning_odometry.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr std::size_t kAtOnce = 3;         // windows that are taken as they come
+constexpr std::size_t kScansAWindow = 60;  // of those after them, so that learning takes little of the time
+
+bool correctable(const PointCloud& cloud, const BeamModel& beams) {
+  if (beams.ideal() || !cloud.has_rings() || cloud.empty()) return false;
+  return *std::max_element(cloud.rings.begin(), cloud.rings.end()) < beams.beams();
+}
+
+Scan corrected(const Scan& scan, const BeamModel& beams) {
+  Scan result = scan;
+  if (scan.T_cloud_sensor) {
+    const PointCloud in_sensor = transform(scan.cloud, scan.T_cloud_sensor->inverse());
+    result.cloud = transform(corrected(in_sensor, beams), *scan.T_cloud_sensor);
+  } else {
+    result.cloud = corrected(scan.cloud, beams);
+  }
+  return result;
+}
+
+}  // namespace
+
+BeamLearningOdometry::BeamLearningOdometry(std::unique_ptr<Odometry> odometry, std::shared_ptr<BeamLearner> learner,
+                                           BeamLearning learning)
+    : odometry_(std::move(odometry)), gatherer_(learner->options()), learner_(std::move(learner)), learning_(learning) {
+  odometry_->listen([this](std::string_view stage) { begin_stage(stage); });
+}
+
+OdometryResult BeamLearningOdometry::register_scan(const Scan& scan) {
+  const bool correct = learning_ == BeamLearning::correct && correctable(scan.cloud, learner_->beams());
+  OdometryResult result = odometry_->register_scan(correct ? corrected(scan, learner_->beams()) : scan);
+  begin_stage("beams");
+  learn(scan, result);
+  return result;
+}
+
+void BeamLearningOdometry::learn(const Scan& scan, const OdometryResult& result) {
+  ++scans_;
+  auto window = gatherer_.take(scan, scan.cloud, result);
+  if (window && (windows_ < kAtOnce || windows_ * kScansAWindow <= scans_)) {
+    ++windows_;
+    learner_->add(std::move(*window), gatherer_.rings(), gatherer_.bright());
+  }
+  learner_->work();
+}
+
+}  // namespace tilth
