@@ -6,22 +6,13 @@
 #include "option_flags.hpp"
 #include "run_console.hpp"
 #include "threads.hpp"
-#include <tilth/core/error.hpp>
 #include <tilth/io/beam_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/run/new_record.hpp>
 #include <tilth/sources/beam_corrected_source.hpp>
+#include <tilth/sources/describe_source.hpp>
 
 namespace tilth::app {
-namespace {
-
-constexpr const char* kBeams = "file of the errors of the sensor's beams (`tilth calibrate`): every scan is corrected";
-
-std::vector<OptionInfo> describe_beams(const std::string& file) {
-  return {{"source.beams", file, "-", kBeams, "text"}};
-}
-
-}  // namespace
 
 void add_output_flags(CLI::App& command, RunArguments& arguments) {
   add_option_flags(command, describe(MapOptions{}), arguments.map);
@@ -34,7 +25,7 @@ void add_threads_flag(CLI::App& command, RunArguments& arguments) {
 }
 
 void add_beams_flag(CLI::App& command, RunArguments& arguments) {
-  command.add_option("--beams", arguments.beams, kBeams)->option_text("FILE");
+  command.add_option("--beams", arguments.beams, kBeamsMeaning)->option_text("FILE");
 }
 
 PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>& source_options,
@@ -43,7 +34,7 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
   PlannedRun plan;
   plan.record = new_record(arguments.source, choice.name, choice.values);
   add_options(source_options, source_defaults, plan.record);
-  add_options(describe_beams(arguments.beams), describe_beams({}), plan.record);
+  add_options(describe_beams_file(arguments.beams), describe_beams_file({}), plan.record);
   if (!arguments.beams.empty()) plan.beams = read_beams(arguments.beams).model;
   plan.record.map = MapBuilder(with<MapOptions>(arguments.map));
   plan.output = with<OutputOptions>(arguments.output);
@@ -61,12 +52,6 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
 std::unique_ptr<ScanSource> corrected_source(std::unique_ptr<ScanSource> source, const RunArguments& arguments,
                                              const PlannedRun& plan) {
   return plan.beams ? beam_corrected_source(std::move(source), *plan.beams, arguments.beams) : std::move(source);
-}
-
-void require_scans(const RunRecord& record, const std::string& source) {
-  if (!record.trajectory.empty()) return;
-  const std::string reason = record.skipped.empty() ? "it is empty" : record.skipped.front().what;
-  throw Error(source, "has no scan that can be used; " + reason);
 }
 
 std::vector<std::string> files_of(const std::vector<RunOutput>& outputs) {
