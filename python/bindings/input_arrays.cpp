@@ -20,6 +20,11 @@ void require_shape(bool holds, const InputArray& array, const std::string& name,
   if (!holds) throw Error(name, "has the shape " + shape_text(array) + ", expected " + wanted);
 }
 
+void require_column(const InputArray& array, std::size_t size, const std::string& name) {
+  require_shape(array.ndim() == 1 && array.shape(0) == size, array, name,
+                "(" + std::to_string(size) + ",), an entry a point");
+}
+
 /// numpy's letter for the kind of its elements.
 std::string kind_of(nb::handle array) {
   return nb::cast<std::string>(array.attr("dtype").attr("kind"));
@@ -54,16 +59,21 @@ void with_elements(const InputArray& array, const F& f) {
     f(static_cast<const double*>(array.data()));
 }
 
+/// `size` elements that lie `stride` of them apart.
+template <class T, class E>
+std::vector<T> spread(const E* data, std::size_t size, std::int64_t stride) {
+  if (stride == 1) return std::vector<T>(data, data + size);
+  std::vector<T> values(size);
+  for (std::size_t i = 0; i < size; ++i) values[i] = T(data[std::int64_t(i) * stride]);
+  return values;
+}
+
 template <class T>
 std::vector<T> column_of(nb::handle object, std::size_t size, const std::string& name) {
   const InputArray array = number_array(object, name);
-  require_shape(array.ndim() == 1 && array.shape(0) == size, array, name,
-                "(" + std::to_string(size) + ",), an entry a point");
-  std::vector<T> values(size);
-  with_elements(array, [&](const auto* data) {
-    const std::int64_t stride = array.stride(0);
-    for (std::size_t i = 0; i < size; ++i) values[i] = T(data[std::int64_t(i) * stride]);
-  });
+  require_column(array, size, name);
+  std::vector<T> values;
+  with_elements(array, [&](const auto* data) { values = spread<T>(data, size, array.stride(0)); });
   return values;
 }
 
@@ -83,8 +93,14 @@ std::vector<float> times_of(nb::handle object, std::size_t size) {
 }
 
 std::vector<std::uint16_t> rings_of(nb::handle object, std::size_t size) {
-  const std::string kind = kind_of(as_array(object, "rings"));
+  const nb::object array = as_array(object, "rings");
+  const std::string kind = kind_of(array);
   if (kind != "u" && kind != "i") throw Error("rings", "are no integers");
+  if (kind == "u" && nb::cast<std::size_t>(array.attr("itemsize")) == sizeof(std::uint16_t) && is_plain(array)) {
+    const auto plain = nb::cast<InputArray>(array);
+    require_column(plain, size, "rings");
+    return spread<std::uint16_t>(static_cast<const std::uint16_t*>(plain.data()), size, plain.stride(0));
+  }
   const std::vector<double> numbers = column_of<double>(object, size, "rings");
   std::vector<std::uint16_t> rings(size);
   for (std::size_t i = 0; i < size; ++i) {
