@@ -12,6 +12,7 @@ namespace {
 
 struct ScanArrays {
   CloudArrays cloud;
+  nb::handle T_cloud_sensor;
   double stamp;
 };
 
@@ -30,7 +31,9 @@ std::optional<ColumnArray<T>> attribute_view(nb::pointer_and_handle<Scan> self, 
 
 void make_scan(Scan* self, const ScanArrays& arrays) {
   if (!std::isfinite(arrays.stamp)) throw Error("stamp", "is not finite: expected seconds");
-  new (self) Scan{arrays.stamp, cloud_of(arrays.cloud)};
+  Scan scan{arrays.stamp, cloud_of(arrays.cloud)};
+  if (!arrays.T_cloud_sensor.is_none()) scan.T_cloud_sensor = pose_of(arrays.T_cloud_sensor, "T_cloud_sensor");
+  new (self) Scan(std::move(scan));
 }
 
 std::string scan_text(const Scan& scan) {
@@ -46,14 +49,16 @@ void add_scan(nb::module_& module) {
   nb::class_<Scan>(module, "Scan", kScanDoc)
       .def(
           "__init__",
-          [](Scan* self, nb::handle points, nb::handle times, nb::handle rings, nb::handle intensities, double stamp) {
-            make_scan(self, {{points, times, rings, intensities}, stamp});
+          [](Scan* self, nb::handle points, nb::handle times, nb::handle rings, nb::handle intensities, double stamp,
+             nb::handle T_cloud_sensor) {
+            make_scan(self, {{points, times, rings, intensities}, T_cloud_sensor, stamp});
           },
           nb::arg("points"), nb::arg("times").none() = nb::none(), nb::arg("rings").none() = nb::none(),
           nb::arg("intensities").none() = nb::none(), nb::kw_only(), nb::arg("stamp"),
+          nb::arg("T_cloud_sensor").none() = nb::none(),
           nb::sig("def __init__(self, points: numpy.typing.ArrayLike, times: numpy.typing.ArrayLike | None = None, "
                   "rings: numpy.typing.ArrayLike | None = None, intensities: numpy.typing.ArrayLike | None = None, *, "
-                  "stamp: float) -> None"))
+                  "stamp: float, T_cloud_sensor: numpy.typing.ArrayLike | None = None) -> None"))
       .def_ro("stamp", &Scan::stamp, "[s] of the first point; `times` count from here.")
       .def_prop_ro("points", &points_view, "(n, 3) float64 [m] in the LiDAR frame, each as seen at its own time.")
       .def_prop_ro(
@@ -67,6 +72,13 @@ void add_scan(nb::module_& module) {
           "intensities",
           [](nb::pointer_and_handle<Scan> self) { return attribute_view<float>(self, &PointCloud::intensities); },
           "(n,) float32 as the sensor gives them, or None.")
+      .def_prop_ro(
+          "T_cloud_sensor",
+          [](const Scan& scan) -> std::optional<PoseArray> {
+            if (!scan.T_cloud_sensor) return std::nullopt;
+            return array_of(*scan.T_cloud_sensor);
+          },
+          nb::rv_policy::automatic, "(4, 4) where the sensor sits in the frame of the points, or None: at its origin.")
       .def("__len__", [](const Scan& scan) { return scan.cloud.size(); })
       .def("__repr__", &scan_text);
 }

@@ -11,6 +11,7 @@ inline constexpr const char* kScanDoc = R"(One revolution of a spinning LiDAR.
     rings: (n,) integers, 0 the lowest beam; without them neighbourhoods are searched.
     intensities: (n,) as the sensor gives them.
     stamp: [s] of the first point.
+    T_cloud_sensor: (4, 4) where what spins about its z axis sits in the frame of the points; None: at its origin.
 
 Its arrays share its memory: what is written to them changes it. Raises tilth.Error naming argument, entry and bound.)";
 

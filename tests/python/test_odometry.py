@@ -273,6 +273,21 @@ def test_nothing_leaks(scans):
     assert megabytes() - before < 20, "1,000 odometries, scans and results of about 2 MB each were made and dropped"
 
 
+def test_a_sensor_that_is_mounted_tilted(scans):
+    T_base_lidar = np.eye(4)
+    T_base_lidar[:3] = [[0.8, 0, 0.6, 0.3], [0, 1, 0, -0.1], [-0.6, 0, 0.8, 1.2]]
+    R, t = T_base_lidar[:3, :3], T_base_lidar[:3, 3]
+    mounted = [
+        tilth.Scan(s.points @ R.T + t, s.times, s.rings, stamp=s.stamp, T_cloud_sensor=T_base_lidar) for s in scans[:10]
+    ]
+    assert np.array_equal(mounted[0].T_cloud_sensor, T_base_lidar) and scans[0].T_cloud_sensor is None
+    T_world_lidar = poses_of(tilth.Odometry(), scans[:10])
+    expected = T_base_lidar @ T_world_lidar @ np.linalg.inv(T_base_lidar)
+    assert poses_of(tilth.Odometry(), mounted) == pytest.approx(expected, abs=1e-6)
+    with pytest.raises(tilth.Error, match="T_cloud_sensor: is no rigid motion"):
+        tilth.Scan(scans[0].points, stamp=0.0, T_cloud_sensor=2 * T_base_lidar)
+
+
 def test_views_outlive_what_they_view(scans):
     points = tilth.Scan(scans[0].points, stamp=0.0).points
     gc.collect()
