@@ -31,7 +31,7 @@ PointArray local_map_of(const Registrar& odometry) {
   return array_of(std::move(map.points));
 }
 
-const RunRecord& closed(SlamRegistrar& slam) {
+std::shared_ptr<const RunRecord> closed(SlamRegistrar& slam) {
   const nb::gil_scoped_release unlocked;
   return slam.closed();
 }
@@ -61,19 +61,19 @@ void add_slam(nb::module_& module) {
       .def("__init__", &make_slam)
       .def("trajectory",
            [](SlamRegistrar& slam) {
-             const Trajectory& trajectory = closed(slam).trajectory;
-             return std::pair(stamps_array(trajectory), poses_array(trajectory));
+             const auto record = closed(slam);
+             return std::pair(stamps_array(record->trajectory), poses_array(record->trajectory));
            })
       .def("odometry_trajectory",
            [](SlamRegistrar& slam) {
-             const Trajectory& trajectory = closed(slam).loops->odometry;
-             return std::pair(stamps_array(trajectory), poses_array(trajectory));
+             const auto record = closed(slam);
+             return std::pair(stamps_array(record->loops->odometry), poses_array(record->loops->odometry));
            })
-      .def("closures", [](SlamRegistrar& slam) { return closures_list(*closed(slam).loops); })
-      .def("keyframes", [](SlamRegistrar& slam) { return closed(slam).loops->keyframe_scans; })
-      .def("map", [](SlamRegistrar& slam) { return map_array(closed(slam).map); })
+      .def("closures", [](SlamRegistrar& slam) { return closures_list(*closed(slam)->loops); })
+      .def("keyframes", [](SlamRegistrar& slam) { return closed(slam)->loops->keyframe_scans; })
+      .def("map", [](SlamRegistrar& slam) { return map_array(closed(slam)->map); })
       .def(
-          "map_records", [](SlamRegistrar& slam) { return structured_array(closed(slam).map.records()); },
+          "map_records", [](SlamRegistrar& slam) { return structured_array(closed(slam)->map.records()); },
           nb::sig("def map_records(self) -> numpy.typing.NDArray[numpy.void]"));
 }
 

@@ -37,13 +37,14 @@ void SlamRegistrar::keep(const Scan& scan, const OdometryResult& result) {
   record_.trajectory.push_back({result.stamp, result.T_world_lidar});
 }
 
-const RunRecord& SlamRegistrar::closed() {
+std::shared_ptr<const RunRecord> SlamRegistrar::closed() {
   const auto alone = lock();
   if (!closed_) {
-    closed_ = record_;
-    close_loops(*slam_, *closed_);
+    auto record = std::make_shared<RunRecord>(record_);
+    close_loops(*slam_, *record);
+    closed_ = std::move(record);
   }
-  return *closed_;
+  return closed_;
 }
 
 }  // namespace tilth::python

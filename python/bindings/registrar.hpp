@@ -42,14 +42,14 @@ class SlamRegistrar final : public Registrar {
   SlamRegistrar(Pipeline pipeline, const MapOptions& map);
 
   /// Trajectory, map and loops after an optimisation with all closures so far; made anew after further scans.
-  const RunRecord& closed();
+  std::shared_ptr<const RunRecord> closed();
 
  private:
   void keep(const Scan& scan, const OdometryResult& result) override;
 
-  Slam* slam_;                       // of the pipeline
-  RunRecord record_;                 // by odometry alone
-  std::optional<RunRecord> closed_;  // of all scans so far
+  Slam* slam_;                               // of the pipeline
+  RunRecord record_;                         // by odometry alone
+  std::shared_ptr<const RunRecord> closed_;  // of all scans so far; null: not made yet
 };
 
 }  // namespace tilth::python

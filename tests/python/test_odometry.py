@@ -218,6 +218,19 @@ def test_slam_is_the_programs(scans, drive, program, tmp_path):
     assert len(slam.odometry_trajectory()) == len(scans)
 
 
+def test_slam_may_be_asked_on_the_way(scans):
+    slam = tilth.Slam()
+    assert len(slam.trajectory()) == 0 and slam.map().shape == (0, 4) and slam.closures() == []
+    for i, s in enumerate(scans[:20]):
+        slam.register_scan(s)
+        if i % 5 == 4:
+            trajectory, points = slam.trajectory(), len(slam.map())
+            assert len(trajectory) == i + 1 and points > 1000
+    assert len(slam.map()) == points
+    with pytest.raises(tilth.Error, match="ends in none of .pcd"):
+        slam.save_map("map.obj")
+
+
 def test_two_threads_with_an_odometry_each(scans):
     expected = poses_of(tilth.Odometry(), scans)
     found = {}
