@@ -31,10 +31,12 @@ function(tilth_component name)
     ${target}
     PROPERTIES OUTPUT_NAME tilth_${name}
                EXPORT_NAME ${name}
-               VERSION ${PROJECT_VERSION}
-               SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
                INSTALL_RPATH "$ORIGIN"
                LINKER_LANGUAGE CXX)
+  if(NOT SKBUILD) # a wheel has no symbolic links
+    set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
+                                               SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  endif()
   install(TARGETS ${target} EXPORT tilth LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endfunction()
 

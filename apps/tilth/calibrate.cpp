@@ -19,6 +19,7 @@
 #include <tilth/io/beam_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/run/beam_keyframe_sink.hpp>
+#include <tilth/run/ended_run.hpp>
 #include <tilth/run/track_record.hpp>
 #include <tilth/slam/slam.hpp>
 #include <tilth/sources/open_source.hpp>
@@ -90,7 +91,7 @@ bool gather(const CalibrateArguments& a, const GatheredKeyframes& gathered, Sess
   options.interrupted = [&] { return interrupted() != 0 || (gathered.scans_without_rings > 0 && gathered.rings == 0); };
   with_threads(a.run.threads, [&] { return session.run(options); });
   if (interrupted() != 0) return false;
-  require_scans(session.record(), a.run.source);
+  require_scans(session.record());
   for (const std::string& failure : session.finish()) throw Error(a.run.source, failure);
   require_rings(gathered, a.run.source);
   return true;
@@ -124,6 +125,7 @@ int calibrate(const CalibrateArguments& a) {
   std::optional<BeamEstimate> file;
   if (!a.prior.empty()) file = read_beams(a.prior);
   RunRecord record;
+  record.source = a.run.source;
   record.map = MapBuilder({.voxel = 10.0});  // nobody asks for it
   Session session(open_source(a.run.source, stopped_by_signals(a.input)), {make_odometry(choice.name, choice.values)},
                   std::move(record));

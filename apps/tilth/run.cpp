@@ -10,10 +10,10 @@
 #include "run_session.hpp"
 #include "source_flags.hpp"
 #include "truth_flags.hpp"
-#include <tilth/core/error.hpp>
-#include <tilth/evaluation/evaluate.hpp>
+#include <tilth/run/ended_run.hpp>
 #include <tilth/run/track_record.hpp>
 #include <tilth/run/truth_file.hpp>
+#include <tilth/sources/describe_source.hpp>
 #include <tilth/sources/open_source.hpp>
 
 namespace tilth::app {
@@ -24,20 +24,6 @@ struct RecordingArguments {
   std::string truth, calibration;
   SourceOptions input;
 };
-
-/// Evaluates the run; what prevents that is returned, one sentence each. Whatever the truth's own frame, the run's
-/// world is its first LiDAR pose: so the first poses are made equal.
-std::vector<std::string> judge_by(const TruthFile& truth, RunRecord& record) {
-  EvaluationOptions options;
-  options.align = Alignment::origin;
-  options.association.interpolate = truth.poses.has_stamps;  // truth and poses seldom share their stamps
-  try {
-    record.evaluation = judge(truth, {record.trajectory, true, {}}, options);
-  } catch (const Error& e) {
-    return {e.what()};
-  }
-  return {};
-}
 
 int exit_code_of(RunEnd end, bool lost, bool strict) {
   if (end == RunEnd::interrupted) return signal_exit_code();
@@ -58,7 +44,7 @@ int run(const RecordingArguments& a) {
   remember_interrupts();
   const RunEnd end = run_session(session, a.run);
   const RunRecord& record = session.record();
-  if (end != RunEnd::interrupted) require_scans(record, a.run.source);
+  if (end != RunEnd::interrupted) require_scans(record);
   std::vector<std::string> failures;
   if (truth) failures = judge_by(*truth, session.record());
   const bool whole = end_session(session, a.run, plan, console, std::move(failures));

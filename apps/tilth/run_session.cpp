@@ -6,25 +6,13 @@
 #include "option_flags.hpp"
 #include "run_console.hpp"
 #include "threads.hpp"
-#include <tilth/core/error.hpp>
 #include <tilth/io/beam_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/run/new_record.hpp>
 #include <tilth/sources/beam_corrected_source.hpp>
+#include <tilth/sources/describe_source.hpp>
 
 namespace tilth::app {
-namespace {
-
-constexpr const char* kBeams = "file of the errors of the sensor's beams (`tilth calibrate`): every scan is corrected";
-
-constexpr const char* kLearn = "take errors of the beams out of the scans from where the drive has shown them";
-
-std::vector<OptionInfo> describe_beams(const std::string& file, bool learn) {
-  return {{"source.beams", file, "-", kBeams, "text"},
-          {"source.learn_beams", learn ? "true" : "false", "-", kLearn, "true | false"}};
-}
-
-}  // namespace
 
 void add_output_flags(CLI::App& command, RunArguments& arguments) {
   add_option_flags(command, describe(MapOptions{}), arguments.map);
@@ -37,8 +25,8 @@ void add_threads_flag(CLI::App& command, RunArguments& arguments) {
 }
 
 void add_beams_flags(CLI::App& command, RunArguments& arguments) {
-  command.add_option("--beams", arguments.beams, kBeams)->option_text("FILE");
-  command.add_flag("--learn-beams", arguments.learn_beams, kLearn);
+  command.add_option("--beams", arguments.beams, kBeamsMeaning)->option_text("FILE");
+  command.add_flag("--learn-beams", arguments.learn_beams, kLearnBeamsMeaning);
 }
 
 PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>& source_options,
@@ -66,12 +54,6 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
 std::unique_ptr<ScanSource> corrected_source(std::unique_ptr<ScanSource> source, const RunArguments& arguments,
                                              const PlannedRun& plan) {
   return plan.beams ? beam_corrected_source(std::move(source), plan.beams->model, arguments.beams) : std::move(source);
-}
-
-void require_scans(const RunRecord& record, const std::string& source) {
-  if (!record.trajectory.empty()) return;
-  const std::string reason = record.skipped.empty() ? "it is empty" : record.skipped.front().what;
-  throw Error(source, "has no scan that can be used; " + reason);
 }
 
 std::vector<std::string> files_of(const std::vector<RunOutput>& outputs) {

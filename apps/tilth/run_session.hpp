@@ -55,9 +55,6 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
 std::unique_ptr<ScanSource> corrected_source(std::unique_ptr<ScanSource> source, const RunArguments& arguments,
                                              const PlannedRun& plan);
 
-/// Throws Error naming `source`, and why, where a run that came to its end has no pose.
-void require_scans(const RunRecord& record, const std::string& source);
-
 /// The names of the files.
 std::vector<std::string> files_of(const std::vector<RunOutput>& outputs);
 

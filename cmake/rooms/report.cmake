@@ -3,7 +3,8 @@ find_package(ZLIB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 target_link_libraries(tilth_report PRIVATE nlohmann_json::nlohmann_json ZLIB::ZLIB)
 
-# The script of report.html is bundled where scripts/setup got its libraries; else three empty files stand in for it.
+# The script of report.html is bundled where scripts/setup got its libraries, and comes with a source distribution of the
+# Python package (scripts/wheels); else three empty files stand in for it.
 set(web ${PROJECT_SOURCE_DIR}/web)
 set(web_build ${PROJECT_BINARY_DIR}/web)
 set(web_files ${web_build}/report.js ${web_build}/report.css ${web_build}/report.sha256)
@@ -16,6 +17,10 @@ if(TILTH_NODE AND EXISTS ${web}/node_modules/esbuild)
     COMMAND ${TILTH_NODE} ${web}/build.mjs ${web_build}
     DEPENDS ${web_sources} ${web}/build.mjs ${web}/package-lock.json
     COMMENT "Bundling the script of report.html")
+elseif(EXISTS ${web}/bundle/report.js)
+  set(TILTH_WEB_BUNDLE ON)
+  set(web_build ${web}/bundle)
+  set(web_files ${web_build}/report.js ${web_build}/report.css ${web_build}/report.sha256)
 else()
   set(TILTH_WEB_BUNDLE OFF)
   message(STATUS "report.html will have no 3D view: the libraries of web/package.json are not there (scripts/setup)")

@@ -52,6 +52,7 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
     {"httplib.h", {"apps/tilth/view.cpp"}},
     {"nlohmann/", {"tilth/run/", "tilth/report/", "tilth/study/", "apps/"}},
     {"CLI/", {"apps/"}},
+    {"nanobind/", {"python/"}},
     {"ceres/", {"tilth/slam/optimize.cpp"}},
     {"pcl/", {}},
     {"ros/", {}},
@@ -96,7 +97,7 @@ TEST(IncludeDirection, APipelineKnowsNoOther) {
 }
 
 TEST(IncludeDirection, LibrariesStayInTheirRooms) {
-  for (const char* folder : {"tilth", "apps"}) {
+  for (const char* folder : {"tilth", "apps", "python"}) {
     for (const SourceFile& file : source_files(folder)) {
       for (const std::string& include : includes_of(file.text)) {
         for (const auto& [library, homes] : kLibraryHome) {

@@ -60,7 +60,7 @@ std::map<std::string, std::vector<std::string>> shared_types(const std::string& 
 }
 
 TEST(Names, ATypeIsDefinedOnce) {
-  for (const char* folder : {"tilth", "apps", "tests", "bench"}) {
+  for (const char* folder : {"tilth", "apps", "python", "tests", "bench"}) {
     for (const auto& [name, files] : shared_types(folder))
       EXPECT_EQ(files.size(), 1U) << name << " is defined in " << files.front() << " and " << files.back();
   }
@@ -87,7 +87,7 @@ bool begins_shared_function(const std::vector<std::string>& lines, std::size_t i
 
 /// They belong in headers, which one_program.cpp sees all together, or in anonymous namespaces.
 TEST(Names, SourcesDefineNoSharedInlineFunctions) {
-  for (const char* folder : {"tilth", "apps"}) {
+  for (const char* folder : {"tilth", "apps", "python"}) {
     for (const SourceFile& file : source_files(folder)) {
       if (!file.path.ends_with(".cpp")) continue;
       const std::vector<std::string> lines = lines_of(file.text);

@@ -1,0 +1,35 @@
+// How a recording is to be read, as rows that documents, the command line and summaries show.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <tilth/core/options.hpp>
+#include <tilth/sources/open_source.hpp>
+
+namespace tilth {
+
+inline constexpr const char* kBeamsMeaning =
+    "file of the errors of the sensor's beams (`tilth calibrate`): every scan is corrected";
+
+inline constexpr const char* kLearnBeamsMeaning =
+    "take errors of the beams out of the scans from where the drive has shown them";
+
+/// The keys of SourceOptions::values: of packets and of point clouds.
+std::vector<OptionInfo> source_value_options();
+
+/// Topic, frame and rate, then those keys, each as source.KEY; with SourceOptions{} what they are where none is given.
+std::vector<OptionInfo> describe_source(const SourceOptions& source);
+
+/// The file that the scans are corrected by (empty: none), as source.beams, and whether errors found on the way are
+/// taken out, as source.learn_beams.
+std::vector<OptionInfo> describe_beams(const std::string& file, bool learn);
+
+/// What topic, frame and rate mean.
+struct SourceMeanings {
+  const char* topic = "point cloud topic of a bag with several";
+  const char* frame = "frame_id of the sensor to read, where a topic has clouds of several";
+  const char* rate = "of scans without recorded times";
+};
+
+}  // namespace tilth
