@@ -1,4 +1,4 @@
-// The patches of a place as bytes, field by field, and back: 53 bytes a patch before they are packed. What a file of a
+// The patches of a place as bytes, field by field, and back: 57 bytes a patch before they are packed. What a file of a
 // map holds of them is bounded by the bytes that are there.
 #pragma once
 

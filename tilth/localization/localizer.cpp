@@ -36,7 +36,8 @@ LocatedScan Localizer::add(const Scan& scan) {
     located.state = carried_.empty() ? MapState::searching : MapState::ambiguous;
   if (lost) located.state = MapState::lost;
   if (!tracker_) return located;
-  located.state = hears_ ? MapState::located : MapState::coasting;
+  const bool moved_on = result.track.state == TrackState::coasting;
+  located.state = hears_ && !moved_on ? MapState::located : MapState::coasting;
   located.T_map_lidar = tracker_->T_map_lidar();
   located.covariance = tracker_->covariance();
   located.overlap = overlap_, located.through = through_;

@@ -94,8 +94,9 @@ PlaceFit try_place(const PlaceQuery& query, const Submap& map, const Pose& T_map
 
 PlaceFit follow_place(const SurfacePatches& patches, const Submap& map, const Pose& T_map_expected,
                       const PlaceCheckOptions& options) {
+  constexpr std::size_t kLeast = 30;  // pairs; whether the last step was small enough does not matter here
   const AlignResult found = refine(patches, map, T_map_expected, options.submap);
-  if (!found.converged) return {.T_map_lidar = T_map_expected};
+  if (found.matches < kLeast) return {.T_map_lidar = T_map_expected};
   PlaceFit fit{.T_map_lidar = found.T_target_source, .registered = true};
   fit.overlap = overlap_of(patches, fit.T_map_lidar, map.fine(), weakest_axis(found.information), options.submap);
   fit.through = share_through(patches, map.fine(), fit.T_map_lidar, options);
