@@ -22,6 +22,8 @@ void add_view(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
 void add_sweep(CLI::App& app, int& exit_code);
 void add_calibrate(CLI::App& app, int& exit_code);
+void add_map(CLI::App& app, int& exit_code);
+void add_localize(CLI::App& app, int& exit_code);
 void add_job(CLI::App& app, int& exit_code);
 
 }  // namespace tilth::app

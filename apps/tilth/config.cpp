@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "option_arguments.hpp"
 #include "option_listing.hpp"
+#include <tilth/localization/localizer.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/slam/slam.hpp>
 
@@ -46,6 +47,7 @@ int print_options(const ConfigArguments& arguments) {
     for (const std::string& name : names)
       text += listing(arguments, name, describe_odometry(name, choice.values)) + "\n";
     text += listing(arguments, "every pipeline, with --loop-closure", describe(with<SlamOptions>(choice.loop))) + "\n";
+    text += listing(arguments, "tilth localize", describe(with<LocalizationOptions>(choice.localize))) + "\n";
     text += listing(arguments, "tilth calibrate", describe(calibration));
   }
   std::fputs(text.c_str(), stdout);

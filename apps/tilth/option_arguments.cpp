@@ -18,6 +18,14 @@ bool is_setting(const std::string& argument) {
   return equals != argument.begin() && equals != argument.end() && *equals == '=';
 }
 
+/// Takes the values whose keys begin with `prefix` out of `values`.
+OptionValues taken(const std::string& prefix, OptionValues& values) {
+  OptionValues some;
+  for (auto it = values.lower_bound(prefix); it != values.end() && it->first.starts_with(prefix);)
+    some.insert(values.extract(it++));
+  return some;
+}
+
 }  // namespace
 
 void add_settings(CLI::App& command, std::vector<std::string>& settings, const std::string& help) {
@@ -53,13 +61,13 @@ OptionValues parse_settings(const std::vector<std::string>& settings) {
 }
 
 PipelineChoice choose_pipeline(const OptionArguments& arguments) {
-  PipelineChoice choice{pipelines().front().name, {}, {}};
+  PipelineChoice choice{pipelines().front().name, {}, {}, {}};
   if (!arguments.config.empty()) choice.values = read_config(arguments.config);
   if (const auto named = choice.values.extract("pipeline")) choice.name = named.mapped();
   if (!arguments.pipeline.empty()) choice.name = arguments.pipeline;
   for (auto& [key, value] : parse_settings(arguments.settings)) choice.values[key] = value;
-  for (auto it = choice.values.lower_bound("loop."); it != choice.values.end() && it->first.starts_with("loop.");)
-    choice.loop.insert(choice.values.extract(it++));
+  choice.loop = taken("loop.", choice.values);
+  choice.localize = taken("localize.", choice.values);
   return choice;
 }
 

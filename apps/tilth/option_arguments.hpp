@@ -22,7 +22,8 @@ struct OptionArguments {
 struct PipelineChoice {
   std::string name;
   OptionValues values;
-  OptionValues loop;  ///< those that begin with "loop.", which are the same for every pipeline
+  OptionValues loop;      ///< those that begin with "loop.", which are the same for every pipeline
+  OptionValues localize;  ///< those that begin with "localize.", likewise
 };
 
 /// Adds --set to a command: key=value, as often as wanted. `settings` must outlive it.

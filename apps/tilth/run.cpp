@@ -11,6 +11,7 @@
 #include "source_flags.hpp"
 #include "truth_flags.hpp"
 #include <tilth/run/ended_run.hpp>
+#include <tilth/run/saved_map_sink.hpp>
 #include <tilth/run/track_record.hpp>
 #include <tilth/run/truth_file.hpp>
 #include <tilth/sources/describe_source.hpp>
@@ -31,16 +32,23 @@ int exit_code_of(RunEnd end, bool lost, bool strict) {
   return lost ? kTrackLostExit : 0;
 }
 
+SavedMapPlan saved_map(const RunArguments& run, const PlannedRun& plan) {
+  const auto beams = plan.beams ? std::optional(plan.beams->model) : std::nullopt;
+  return {run.save_map, run.map_to_continue, plan.localize, beams};
+}
+
 int run(const RecordingArguments& a) {
   Console console(a.run.quiet);
   std::optional<TruthFile> truth;
   if (!a.truth.empty()) truth = read_truth(a.truth, a.calibration);
   PlannedRun plan = plan_run(a.run, describe_source(a.input), describe_source({}));
+  const Slam* const slam = plan.pipeline.slam;
   Session session(corrected_source(open_source(a.run.source, stopped_by_signals(a.input)), a.run, plan),
                   std::move(plan.pipeline), std::move(plan.record));
   session.observe(console);
   const LockedFolder folder(a.run.out, files_of(plan.outputs));
   for (const RunOutput& output : plan.outputs) session.add(output.open(folder / output.file));
+  if (!a.run.save_map.empty()) session.add(saved_map_sink(saved_map(a.run, plan), *slam));
   remember_interrupts();
   const RunEnd end = run_session(session, a.run);
   const RunRecord& record = session.record();
@@ -64,6 +72,12 @@ void add_input_options(CLI::App& command, RecordingArguments& a) {
 
 void add_output_options(CLI::App& command, RecordingArguments& a) {
   command.add_option("--out", a.run.out, "folder for the results; made where missing")->required();
+  command.add_option("--save-map", a.run.save_map,
+                     "folder for the map, for `tilth localize`; closes loops as --loop-closure does");
+  command
+      .add_option("--map", a.run.map_to_continue,
+                  "map that the one to save goes on with: in its frame, with what is new and what has changed")
+      ->needs("--save-map");
   add_output_flags(command, a.run);
   add_truth_flags(command, "to judge the run by, first poses made equal", a.truth, a.calibration);
   command.add_flag("--quiet", a.run.quiet, "print errors only");

@@ -41,13 +41,15 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
   plan.output = with<OutputOptions>(arguments.output);
   plan.report = with<ReportOptions>(arguments.report);
   const SlamOptions slam = with<SlamOptions>(choice.loop);
+  plan.localize = with<LocalizationOptions>(choice.localize).localize;
   const BeamLearning learning = arguments.learn_beams ? BeamLearning::correct : BeamLearning::watch;
   plan.pipeline = with_beams(make_odometry(choice.name, choice.values), learning, plan.beams);
-  if (arguments.loop_closure) {
+  const bool loop_closure = arguments.loop_closure || !arguments.save_map.empty();
+  if (loop_closure) {
     add_options(describe(slam), describe(SlamOptions{}), plan.record);
     plan.pipeline = with_loop_closure(std::move(plan.pipeline), slam);
   }
-  plan.outputs = run_outputs(plan.output, plan.report, arguments.loop_closure);
+  plan.outputs = run_outputs(plan.output, plan.report, loop_closure);
   return plan;
 }
 

@@ -9,6 +9,7 @@
 #include "console.hpp"
 #include "option_arguments.hpp"
 #include <tilth/core/beam_estimate.hpp>
+#include <tilth/localization/localizer.hpp>
 #include <tilth/report/run_outputs.hpp>
 #include <tilth/run/session.hpp>
 
@@ -19,7 +20,9 @@ constexpr int kTrackLostExit = 3;
 
 struct RunArguments {
   std::string source, out;
-  std::string beams;  ///< beams.yaml; empty: none
+  std::string beams;            ///< beams.yaml; empty: none
+  std::string save_map;         ///< folder of the map to save; empty: none
+  std::string map_to_continue;  ///< folder of a map; empty: none
   OptionArguments options;
   OptionValues map, output, report;  ///< of MapOptions, OutputOptions and ReportOptions
   SessionOptions session;
@@ -44,6 +47,7 @@ struct PlannedRun {
   ReportOptions report;
   std::vector<RunOutput> outputs;
   std::optional<BeamEstimate> beams;  ///< that every scan is corrected by
+  LocalizerOptions localize;          ///< in a map that the run goes on with
 };
 
 /// The run that is asked for; `source_options` are told in its record, with their defaults. Throws Error on an option

@@ -48,7 +48,7 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
     {"pcap/", {"tilth/io/pcap.cpp"}},
     {"sqlite3", {"tilth/io/rosbag2.cpp"}},
     {"zstd", {"tilth/io/unpack.cpp"}},
-    {"zlib.h", {"tilth/report/packed_map.cpp"}},
+    {"zlib.h", {"tilth/report/packed_map.cpp", "tilth/atlas/patch_bytes.cpp"}},
     {"httplib.h", {"apps/tilth/view.cpp"}},
     {"nlohmann/", {"tilth/run/", "tilth/report/", "tilth/study/", "apps/"}},
     {"CLI/", {"apps/"}},
@@ -59,7 +59,7 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
 };
 
 /// All other rooms are silent and blind: no file, no print, no clock, no thread.
-const std::set<std::string> kLoudRooms{"io", "gazebo", "sources", "run", "report", "study"};
+const std::set<std::string> kLoudRooms{"io", "gazebo", "sources", "atlas", "run", "report", "study"};
 const std::set<std::string> kLoudHeaders{"iostream", "fstream",  "print",   "filesystem", "chrono",
                                          "ctime",    "time.h",   "thread",  "mutex",      "future",
                                          "atomic",   "unistd.h", "csignal", "random",     "condition_variable"};

@@ -20,6 +20,11 @@ const LoopRecord& loops_of(const Path& path, const RunRecord& run) {
   return *run.loops;
 }
 
+const LocalizationRecord& localized(const Path& path, const RunRecord& run) {
+  if (!run.localization) throw Error(path.string(), "cannot be written: the run was not in a map");
+  return *run.localization;
+}
+
 }  // namespace
 
 std::unique_ptr<Sink> tum_sink(const Path& path) {
@@ -66,6 +71,14 @@ std::unique_ptr<Sink> closures_sink(const Path& path) {
 
 std::unique_ptr<Sink> pose_graph_sink(const Path& path) {
   return file_sink(path, [](const Path& to, const RunRecord& run) { write_g2o(to, loops_of(to, run).graph); });
+}
+
+std::unique_ptr<Sink> localization_sink(const Path& path) {
+  return file_sink(path, [](const Path& to, const RunRecord& run) { write_localization(to, localized(to, run)); });
+}
+
+std::unique_ptr<Sink> hypotheses_sink(const Path& path) {
+  return file_sink(path, [](const Path& to, const RunRecord& run) { write_hypotheses(to, localized(to, run)); });
 }
 
 }  // namespace tilth

@@ -9,6 +9,7 @@
 #include <tilth/core/options.hpp>
 #include <tilth/core/trajectory.hpp>
 #include <tilth/evaluation/evaluate.hpp>
+#include <tilth/run/localization_record.hpp>
 #include <tilth/run/loop_record.hpp>
 #include <tilth/run/map_builder.hpp>
 #include <tilth/run/scan_table.hpp>
@@ -30,9 +31,10 @@ struct RunRecord {
   MapBuilder map{MapOptions{}};
   std::optional<BeamCalibration> beams;  ///< what the drive shows of the sensor's beams
   std::optional<LoopRecord> loops;       ///< with loop closure; then `trajectory` and `map` are the corrected ones
-  std::optional<Evaluation> evaluation;  ///< where the truth is known
-  double wall_seconds = 0.0;             ///< [s] of the whole run, files not counted
-  double peak_megabytes = 0.0;           ///< [MB] resident
+  std::optional<LocalizationRecord> localization;  ///< in a saved map; then `trajectory` has the located scans only
+  std::optional<Evaluation> evaluation;            ///< where the truth is known
+  double wall_seconds = 0.0;                       ///< [s] of the whole run, files not counted
+  double peak_megabytes = 0.0;                     ///< [MB] resident
 };
 
 }  // namespace tilth

@@ -2,6 +2,7 @@
 
 #include <tilth/core/error.hpp>
 #include <tilth/run/machine.hpp>
+#include <tilth/run/scan_row.hpp>
 #include <tilth/run/session.hpp>
 #include <tilth/run/stopwatch.hpp>
 
@@ -10,26 +11,6 @@ namespace {
 
 constexpr std::size_t kMostWarnings = 10;
 constexpr std::size_t kSurveyed = 16;  ///< of so many points one is counted, for what `tilth info` warns of
-
-ScanRow row_of(const Scan& scan, const OdometryResult& result) {
-  ScanRow row;
-  row.stamp = result.stamp;
-  row.points_read = scan.cloud.size();
-  row.points_in = result.counts.points_in;
-  row.outliers = result.counts.outliers;
-  row.edges = result.counts.edges;
-  row.planes = result.counts.planes;
-  row.candidates = result.alignment.candidates;
-  row.matches = result.alignment.matches;
-  row.weight = result.alignment.weight;
-  row.iterations = result.alignment.iterations;
-  row.converged = result.alignment.converged;
-  row.error = result.alignment.error;
-  row.degenerate_directions = result.alignment.degenerate_directions;
-  row.track = result.track;
-  row.variances = result.covariance.value_or(result.alignment.covariance).diagonal();
-  return row;
-}
 
 }  // namespace
 

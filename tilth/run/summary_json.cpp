@@ -91,6 +91,20 @@ Json loop_closure(const LoopRecord& loops) {
           {"optimizations", loops.optimizations},      {"finish_ms", loops.finish_ms}};
 }
 
+Json localization(const LocalizationRecord& record) {
+  Json scans = Json::object(), intervals = Json::array();
+  for (const std::string_view name : names_of(MapState{})) scans[std::string(name)] = 0;
+  for (const MapStateInterval& i : state_intervals(record)) {
+    const std::string name(names_of(i.state)[std::size_t(i.state)]);
+    scans[name] = scans[name].get<std::size_t>() + i.scans;
+    intervals.push_back({{"state", name}, {"from", i.from}, {"to", i.to}, {"scans", i.scans}});
+  }
+  return {{"map", record.map},
+          {"scans", std::move(scans)},
+          {"seconds_to_answer", times_to_answer(record)},
+          {"intervals", std::move(intervals)}};
+}
+
 }  // namespace
 
 RunFigures figures_of(const RunRecord& record) {
@@ -132,6 +146,7 @@ std::string summary_json(const RunRecord& record) {
                   {"end_to_start_m", figures.end_to_start}};
   if (record.beams) summary["beams"] = Json::parse(beams_json(*record.beams));
   if (record.loops) summary["loop_closure"] = loop_closure(*record.loops);
+  if (record.localization) summary["localization"] = localization(*record.localization);
   if (record.evaluation) summary["evaluation"] = Json::parse(evaluation_json(*record.evaluation));
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

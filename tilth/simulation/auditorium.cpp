@@ -88,7 +88,7 @@ void add_stage(Mesh& mesh, const Look& look) {
 }  // namespace
 
 Scene auditorium(const SceneOptions& options) {
-  CounterRandom random(options.seed, kStream);
+  CounterRandom random(world_seed_of(options), kStream);
   Scene scene;
   const Look look = look_of(scene.mesh);
   add_shell(scene.mesh, look);
@@ -96,7 +96,8 @@ Scene auditorium(const SceneOptions& options) {
   for (int row = 0; row < kRows; ++row) add_row(scene.mesh, look, row, random);
   add_stage(scene.mesh, look);
   const Path path = path_of(kLegs);
-  scene.movers.walkers = walkers_beside(path, options.people, 0.9, random);
+  CounterRandom people = random_of_people(random, options);
+  scene.movers.walkers = walkers_beside(path, options.people, 0.9, people);
   scene.trajectory = travel(kLegs, options);
   return scene;
 }

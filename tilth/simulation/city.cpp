@@ -153,7 +153,7 @@ std::vector<Walker> people_beside(const Streets& all, int count, CounterRandom& 
 }  // namespace
 
 Scene city(const SceneOptions& options) {
-  CounterRandom random(options.seed, kStream);
+  CounterRandom random(world_seed_of(options), kStream);
   const Streets all = streets();
   Scene scene;
   add_ground(scene.mesh);
@@ -162,7 +162,8 @@ Scene city(const SceneOptions& options) {
     add_rows(scene.mesh, all, side, random);
     for (const Path& stretch : all.stretches) add_kerbside(scene.mesh, stretch, side, anywhere, random);
   }
-  scene.movers.walkers = people_beside(all, options.people, random);
+  CounterRandom people = random_of_people(random, options);
+  scene.movers.walkers = people_beside(all, options.people, people);
   scene.trajectory = travel(legs_through(route()), options);
   return scene;
 }

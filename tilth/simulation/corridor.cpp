@@ -18,14 +18,15 @@ const std::vector<Leg> kLegs{{10, 0, 0},          {14, 0.45, 0}, {13, 0.55, 0}, 
 }  // namespace
 
 Scene corridor(const SceneOptions& options) {
-  CounterRandom random(options.seed, kStream);
+  CounterRandom random(world_seed_of(options), kStream);
   const Path path = path_of(kLegs), whole = lengthened(path, 4.0);
   const double middle = 0.5 * length_of(whole);
   CorridorStyle style;
   style.bare = [&](double arc) { return std::abs(arc - middle) < 0.5 * options.bare; };
   Scene scene;
   add_corridor(scene.mesh, whole, style, random);
-  scene.movers.walkers = walkers_beside(lengthened(path, 3.3), options.people, 0.75, random);
+  CounterRandom people = random_of_people(random, options);
+  scene.movers.walkers = walkers_beside(lengthened(path, 3.3), options.people, 0.75, people);
   scene.trajectory = travel(kLegs, options);
   return scene;
 }

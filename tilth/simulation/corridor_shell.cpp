@@ -80,6 +80,7 @@ void add_corridor_wall(Mesh& mesh, const Look& look, const CorridorStyle& style,
 }  // namespace
 
 void add_notice_board(Mesh& mesh, const Pose& T_world_foot, double width) {
+  const MovableMark mark(mesh, T_world_foot.translation());
   const double thickness = 0.035;
   const SurfaceId board = add_surface(mesh, {"notice board", Material::matte, 0.6});
   add_box(mesh, board, T_world_foot * upright({0, thickness / 2, 0.95}, 0), {width, thickness, 1.0});

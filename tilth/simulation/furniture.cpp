@@ -34,6 +34,7 @@ void add_room(Mesh& mesh, const Room& room, double door_width) {
 }
 
 void add_bed(Mesh& mesh, const Pose& T_world_foot) {
+  const MovableMark mark(mesh, T_world_foot.translation());
   const SurfaceId linen = add_surface(mesh, {"bed", Material::matte, 0.8});
   const SurfaceId frame = add_surface(mesh, {"bed frame", Material::metal, 0.5});
   add_box(mesh, linen, T_world_foot * at(0, 1.05, 0.45), {0.95, 2.0, 0.2});
@@ -45,12 +46,14 @@ void add_bed(Mesh& mesh, const Pose& T_world_foot) {
 }
 
 void add_cabinet(Mesh& mesh, const Pose& T_world_foot, const Vector3d& size) {
+  const MovableMark mark(mesh, T_world_foot.translation());
   const SurfaceId metal = add_surface(mesh, {"cabinet", Material::metal, 0.6});
   add_box(mesh, metal, T_world_foot * at(0, size.y() / 2, 0.08), size - Vector3d(0, 0, 0.08));
   add_box(mesh, metal, T_world_foot * at(0, size.y() / 2, 0), {size.x() - 0.1, size.y() - 0.1, 0.08});
 }
 
 void add_desk(Mesh& mesh, const Pose& T_world_foot) {
+  const MovableMark mark(mesh, T_world_foot.translation());
   const SurfaceId wood = add_surface(mesh, {"desk", Material::matte, 0.5});
   const SurfaceId dark = add_surface(mesh, {"screen", Material::glossy, 0.1});
   const SurfaceId cloth = add_surface(mesh, {"chair", Material::matte, 0.25});
@@ -63,6 +66,7 @@ void add_desk(Mesh& mesh, const Pose& T_world_foot) {
 }
 
 void add_shelf(Mesh& mesh, const Pose& T_world_foot) {
+  const MovableMark mark(mesh, T_world_foot.translation());
   const SurfaceId wood = add_surface(mesh, {"shelf", Material::matte, 0.55});
   const SurfaceId book = add_surface(mesh, {"books", Material::matte, 0.35});
   for (const double x : {-0.585, 0.585}) add_box(mesh, wood, T_world_foot * at(x, 0.175, 0), {0.03, 0.35, 2.0});

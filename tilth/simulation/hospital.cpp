@@ -44,7 +44,7 @@ void add_corridor_cabinet(Mesh& mesh, const Pose& T_world_foot, double width) {
 }  // namespace
 
 Scene hospital(const SceneOptions& options) {
-  CounterRandom random(options.seed, kStream);
+  CounterRandom random(world_seed_of(options), kStream);
   const Path whole = lengthened(path_of(kLegs), 4.0);
   CorridorStyle style;
   style.half_width = kHalfWidth, style.height = kHeight, style.least_gap = 0.9, style.most_gap = 3.0;
@@ -56,7 +56,8 @@ Scene hospital(const SceneOptions& options) {
   Scene scene;
   add_corridor(scene.mesh, whole, style, random);
   for (const RoomsBeside::Taken& ward : wards.taken()) furnish_ward(scene.mesh, scene.movers, ward, random);
-  scene.movers.walkers = walkers_beside(lengthened(whole, -0.7), options.people, 0.8, random);
+  CounterRandom people = random_of_people(random, options);
+  scene.movers.walkers = walkers_beside(lengthened(whole, -0.7), options.people, 0.8, people);
   scene.trajectory = travel(kLegs, options);
   return scene;
 }

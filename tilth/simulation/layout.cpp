@@ -155,6 +155,11 @@ Trajectory travel(std::span<const Leg> legs, const SceneOptions& options) {
   return cut(drive(legs, upright(Vector3d(0, 0, options.height), 0), motion_of(options)), options.duration);
 }
 
+CounterRandom random_of_people(const CounterRandom& of_scene, const SceneOptions& options) {
+  constexpr std::uint64_t kPeople = 0x80;
+  return options.world_seed > 0 ? CounterRandom(options.seed, kPeople) : of_scene;
+}
+
 std::vector<Walker> walkers_beside(const Path& path, int count, double beside, CounterRandom& random) {
   std::vector<Walker> walkers;
   const double length = length_of(path);

@@ -41,6 +41,9 @@ Trajectory cut(Trajectory trajectory, double duration);
 /// The sensor's drive along `legs` with the scene's speed, wobble and vibration, cut at the scene's duration.
 Trajectory travel(std::span<const Leg> legs, const SceneOptions& options);
 
+/// What tells where people walk: the rest of the scene's own numbers, or the seed's where the world has its own.
+CounterRandom random_of_people(const CounterRandom& of_scene, const SceneOptions& options);
+
 /// People who walk to and fro `beside` [m] the way, alternately on its left and its right.
 std::vector<Walker> walkers_beside(const Path& path, int count, double beside, CounterRandom& random);
 

@@ -33,10 +33,34 @@ struct Triangle {
   std::uint8_t edges = 0;  ///< bit i: the side from vertex i to the next bounds a structure
 };
 
+/// Parts of a mesh that belong to a thing that people move: furniture, a parked car.
+struct MovablePart {
+  std::array<std::size_t, 2> vertices{}, triangles{};  ///< first, and one past the last
+  Eigen::Vector3d foot = Eigen::Vector3d::Zero();      ///< [m] where it stands
+};
+
 struct Mesh {
   std::vector<Eigen::Vector3d> vertices;  ///< [m] in the world frame, z up
   std::vector<Triangle> triangles;
   std::vector<Surface> surfaces;
+  std::vector<MovablePart> movables;
+};
+
+/// All that is added to the mesh while this lives is one movable thing.
+class MovableMark {
+ public:
+  MovableMark(Mesh& mesh, const Eigen::Vector3d& foot)
+      : mesh_(mesh), part_{{mesh.vertices.size(), 0}, {mesh.triangles.size(), 0}, foot} {}
+  ~MovableMark() {
+    part_.vertices[1] = mesh_.vertices.size(), part_.triangles[1] = mesh_.triangles.size();
+    mesh_.movables.push_back(part_);
+  }
+  MovableMark(const MovableMark&) = delete;
+  MovableMark& operator=(const MovableMark&) = delete;
+
+ private:
+  Mesh& mesh_;
+  MovablePart part_;
 };
 
 SurfaceId add_surface(Mesh& mesh, Surface surface);

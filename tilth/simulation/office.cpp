@@ -38,7 +38,7 @@ void furnish_office(Mesh& mesh, Movers& movers, const RoomsBeside::Taken& taken,
 }  // namespace
 
 Scene office(const SceneOptions& options) {
-  CounterRandom random(options.seed, kStream);
+  CounterRandom random(world_seed_of(options), kStream);
   const Path path = path_of(kLegs);
   const Path ring{path[1], path[2], path[3], path[4], path[1]};
   CorridorStyle style;
@@ -51,7 +51,8 @@ Scene office(const SceneOptions& options) {
   Scene scene;
   add_corridor(scene.mesh, ring, style, random);
   for (const RoomsBeside::Taken& room : rooms.taken()) furnish_office(scene.mesh, scene.movers, room, random);
-  scene.movers.walkers = walkers_beside(ring, options.people, 0.7, random);
+  CounterRandom people = random_of_people(random, options);
+  scene.movers.walkers = walkers_beside(ring, options.people, 0.7, people);
   scene.trajectory = travel(kLegs, options);
   return scene;
 }

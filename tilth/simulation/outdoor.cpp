@@ -59,6 +59,7 @@ void add_lamp_post(Mesh& mesh, const Vector3d& foot, double height) {
 }
 
 void add_flower_bed(Mesh& mesh, const Vector3d& foot, double radius, CounterRandom& random) {
+  const MovableMark mark(mesh, foot);
   const SurfaceId stone = add_surface(mesh, {"flower bed", Material::matte, 0.6});
   add_cylinder(mesh, stone, at(foot), radius, 0.45);
   add_foliage(mesh, foot + Vector3d(0, 0, 0.6), {0.85 * radius, 0.85 * radius, 0.4}, int(160 * radius * radius),
@@ -66,6 +67,7 @@ void add_flower_bed(Mesh& mesh, const Vector3d& foot, double radius, CounterRand
 }
 
 void add_bench(Mesh& mesh, const Pose& T_world_foot) {
+  const MovableMark mark(mesh, T_world_foot.translation());
   const SurfaceId wood = add_surface(mesh, {"bench", Material::matte, 0.5});
   add_box(mesh, wood, T_world_foot * at({0, 0, 0.42}), {1.8, 0.45, 0.06});
   add_box(mesh, wood, T_world_foot * at({0, 0.22, 0.55}), {1.8, 0.05, 0.35});
@@ -73,6 +75,7 @@ void add_bench(Mesh& mesh, const Pose& T_world_foot) {
 }
 
 void add_car(Mesh& mesh, const Pose& T_world_foot, CounterRandom& random) {
+  const MovableMark mark(mesh, T_world_foot.translation());
   const SurfaceId paint = add_surface(mesh, {"car body", Material::matte, random.uniform(0.15, 0.8)});
   const SurfaceId glass = add_surface(mesh, {"car window", Material::glass, 0.2});
   const SurfaceId tyre = add_surface(mesh, {"tyre", Material::matte, 0.1});

@@ -102,9 +102,9 @@ void add_things(Mesh& mesh, Ground& ground, CounterRandom& random) {
 }  // namespace
 
 Scene plaza(const SceneOptions& options) {
-  CounterRandom random(options.seed, kStream);
+  CounterRandom random(world_seed_of(options), kStream);
   SceneOptions whole = options;
-  whole.duration = 0, whole.speed = 1;
+  whole.seed = world_seed_of(options), whole.duration = 0, whole.speed = 1;
   const Path path = footprint(travel(kLegs, whole));
   const Eigen::AlignedBox2d area = area_of(path);
   Scene scene;

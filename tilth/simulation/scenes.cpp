@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include <tilth/simulation/another_day.hpp>
 #include <tilth/simulation/layout.hpp>
 #include <tilth/simulation/scenes.hpp>
 
@@ -24,6 +25,13 @@ constexpr auto kNames = [] {
   return names;
 }();
 
+/// Another day, doors that swing do so at other times.
+void shift_doors(std::vector<Door>& doors, std::uint64_t seed) {
+  constexpr std::uint64_t kDoors = 0xA0;
+  CounterRandom random(seed, kDoors);
+  for (Door& door : doors) door.phase += random.uniform(0, door.period);
+}
+
 }  // namespace
 
 std::span<const std::string_view> scene_names() {
@@ -37,6 +45,9 @@ Scene make_scene(std::string_view name, const SceneOptions& options) {
                 "is not known; there are " + options_detail::joined(kNames) + ", and world files (.world, .sdf)");
   }
   Scene made = scene->make(options);
+  if (options.world_seed > 0) shift_doors(made.movers.doors, options.seed);
+  if (options.changed > 0) change(made, options);
+  if (options.kidnap > 0) made.trajectory = kidnapped(made.trajectory, options);
   made.movers.walkers = kept_clear(std::move(made.movers.walkers), made.trajectory);
   return made;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <tilth/simulation/another_day.hpp>
 #include <tilth/simulation/simulator.hpp>
 
 namespace tilth {
@@ -46,7 +47,7 @@ Simulator::Simulator(std::string_view scene, const SimulationOptions& options)
 Simulator::Simulator(Scene scene, const SimulationOptions& options)
     : sensor_(flawed_lidar(lidar_of(options), options.flaws, options.scene.seed)),
       noise_(options.noise),
-      seed_(options.scene.seed),
+      options_(options.scene),
       truth_(std::move(scene.trajectory)) {
   if (truth_.empty()) throw Error("scene", "has no way for the sensor");
   world_ = std::make_unique<MeshWorld>(std::move(scene.mesh), std::move(scene.movers));
@@ -62,7 +63,9 @@ double Simulator::stamp(std::size_t index) const {
 }
 
 LabelledScan Simulator::scan(std::size_t index) const {
-  return simulate_scan(*world_, sensor_, truth_, noise_, {stamp(index), seed_, index});
+  LabelledScan labelled = simulate_scan(*world_, sensor_, truth_, noise_, {stamp(index), options_.seed, index});
+  if (is_covered(stamp(index), options_)) labelled.scan.cloud = {}, labelled.labels.clear();
+  return labelled;
 }
 
 }  // namespace tilth

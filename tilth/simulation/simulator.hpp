@@ -64,7 +64,7 @@ class Simulator {
  private:
   FlawedLidar sensor_;
   NoiseOptions noise_;
-  std::uint64_t seed_;
+  SceneOptions options_;
   Trajectory truth_;
   std::unique_ptr<MeshWorld> world_;
 };

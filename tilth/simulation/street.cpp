@@ -51,9 +51,9 @@ void add_ground(Mesh& mesh, const Path& path) {
 }  // namespace
 
 Scene street(const SceneOptions& options) {
-  CounterRandom random(options.seed, kStream);
+  CounterRandom random(world_seed_of(options), kStream);
   SceneOptions plain = options;
-  plain.duration = 0, plain.speed = 1;
+  plain.seed = world_seed_of(options), plain.duration = 0, plain.speed = 1;
   const Path path = lengthened(footprint(travel(kLegs, plain)), 40);
   Scene scene;
   const auto is_free = [&](const Vector3d& place, double clear) { return free(path, place, clear); };
@@ -62,7 +62,8 @@ Scene street(const SceneOptions& options) {
     add_houses(scene.mesh, path, side, is_free, random);
     add_kerbside(scene.mesh, path, side, is_free, random);
   }
-  scene.movers.walkers = walkers_beside(path, options.people, 7.4, random);
+  CounterRandom people = random_of_people(random, options);
+  scene.movers.walkers = walkers_beside(path, options.people, 7.4, people);
   scene.trajectory = travel(kLegs, options);
   return scene;
 }

@@ -36,10 +36,14 @@ bool is_keyframe(const Pose& T_last_now, const KeyframeOptions& options) {
          angle_of(T_last_now) >= options.angle * std::numbers::pi / 180;
 }
 
+SurfacePatches keyframe_patches(const OdometryResult& result, double scan_stamp, const KeyframeOptions& options) {
+  return deskew(thinned(patches_of(result, options.patches), std::size_t(options.max_patches)), result.motion,
+                result.stamp - scan_stamp);
+}
+
 Keyframe make_keyframe(const OdometryResult& result, double scan_stamp, const KeyframeOptions& options) {
   Keyframe keyframe{.stamp = result.stamp, .T_odometry_lidar = result.T_world_lidar};
-  keyframe.patches = deskew(thinned(patches_of(result, options.patches), std::size_t(options.max_patches)),
-                            result.motion, result.stamp - scan_stamp);
+  keyframe.patches = keyframe_patches(result, scan_stamp, options);
   keyframe.context = describe_place(result.filtered, options.context);
   return keyframe;
 }

@@ -40,8 +40,11 @@ struct Keyframe {
 /// Whether `T_last_now` is far enough from the last keyframe.
 bool is_keyframe(const Pose& T_last_now, const KeyframeOptions& options);
 
-/// The patches and the descriptor of a registered scan, undistorted; `scan_stamp` [s] is its first point's. The rest of
-/// the keyframe is for the caller to fill in.
+/// The patches of a registered scan, undistorted, in the LiDAR frame at its stamp; `scan_stamp` [s] is its first
+/// point's.
+SurfacePatches keyframe_patches(const OdometryResult& result, double scan_stamp, const KeyframeOptions& options);
+
+/// The patches and the descriptor of a registered scan. The rest of the keyframe is for the caller to fill in.
 Keyframe make_keyframe(const OdometryResult& result, double scan_stamp, const KeyframeOptions& options);
 
 }  // namespace tilth

@@ -1,43 +1,11 @@
 #include <cmath>
 #include <optional>
 
-#include <Eigen/Eigenvalues>
-
-#include <tilth/core/symmetric6.hpp>
 #include <tilth/slam/loop_closure.hpp>
+#include <tilth/slam/submap_information.hpp>
 
 namespace tilth {
 namespace {
-
-// Unit: metres that a typical point moves, for rotations as well.
-Vector6d arc_scale(const SurfacePatches& patches) {
-  double squares = 0;
-  for (const SurfacePatch& patch : patches) squares += patch.mean.squaredNorm();
-  Vector6d scale = Vector6d::Ones();
-  scale.head<3>().setConstant(1 / std::max(0.1, std::sqrt(squares / std::max(1.0, double(patches.size())))));
-  return scale;
-}
-
-// The registration's information, no more than `noise` allows, and none along degenerate directions.
-void weigh(const Matrix6d& information, const Vector6d& scale, const VerifyOptions& options, LoopClosure& closure) {
-  const Eigen6d eigen = eigen_of(scale.asDiagonal() * information * scale.asDiagonal());
-  const double weakest = options.degeneracy_ratio * eigen.values[5];
-  Vector6d weights = Vector6d::Zero();
-  for (int i = 0; i < 6; ++i) {
-    const double strength = eigen.values[i];
-    if (!(strength > 0) || strength < weakest)
-      ++closure.degenerate_directions;
-    else
-      weights[i] = 1 / (options.variance_scale / strength + options.noise * options.noise);
-  }
-  const Matrix6d back = scale.cwiseInverse().asDiagonal() * eigen.vectors;
-  closure.constraint.information = back * weights.asDiagonal() * back.transpose();
-}
-
-// The direction of translation that is determined least, in the frame of the query.
-Eigen::Vector3d weakest_axis(const Matrix6d& information) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(information.bottomRightCorner<3, 3>()).eigenvectors().col(0);
-}
 
 // The submaps of a candidate, and the direction of translation between them that is determined least.
 struct SubmapPair {
@@ -126,7 +94,10 @@ LoopClosure verify(const LoopCandidate& candidate, const Submap& from, const Sub
   const AlignResult found = register_submap(to.patches(), from, candidate.T_from_to, options.submap);
   if (!found.converged) return closure;
   closure.constraint.T_from_to = found.T_target_source;
-  weigh(found.information, arc_scale(to.patches()), options, closure);
+  const SubmapInformation weighed = weighed_information(
+      found.information, to.patches(), {options.degeneracy_ratio, options.noise, options.variance_scale});
+  closure.constraint.information = weighed.information;
+  closure.degenerate_directions = weighed.degenerate_directions;
   const SubmapPair pair{from, to, weakest_axis(found.information)};
   measure_overlap(pair, options.submap, closure);
   closure.verdict = judge(closure, expected, options);

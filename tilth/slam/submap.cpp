@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <tilth/registration/association.hpp>
@@ -99,6 +100,19 @@ AlignResult register_submap(const SurfacePatches& source, const Submap& target, 
   SubmapPairs pairs(source, {target.coarse(), options.coarse_voxel}, options);
   const AlignResult coarse = align_to(pairs, T_init, options.first_kernel_width, options);
   return refine(source, target, coarse.T_target_source, options);
+}
+
+std::vector<float> distances_on(const SurfacePatches& source, const Pose& T_target_source, const PatchMap& target,
+                                const SubmapOptions& options) {
+  std::vector<float> distances;
+  distances.reserve(source.size());
+  for (const SurfacePatch& patch : source) {
+    const Eigen::Vector3d normal = T_target_source.linear() * patch.normal;
+    const MapSurface* surface = target.find(T_target_source * patch.mean, normal, patch.flat);
+    const auto distance = distance_on(surface, patch, T_target_source, options);
+    distances.push_back(distance ? float(*distance) : std::numeric_limits<float>::infinity());
+  }
+  return distances;
 }
 
 Overlap overlap_of(const SurfacePatches& source, const Pose& T_target_source, const PatchMap& target,

@@ -57,6 +57,10 @@ AlignResult register_submap(const SurfacePatches& source, const Submap& target, 
 AlignResult refine(const SurfacePatches& source, const Submap& target, const Pose& T_init,
                    const SubmapOptions& options);
 
+/// [m] from the surface of `target` that each patch lies on, in their order; infinite where it lies on none.
+std::vector<float> distances_on(const SurfacePatches& source, const Pose& T_target_source, const PatchMap& target,
+                                const SubmapOptions& options);
+
 /// How far two submaps tell of the same surfaces.
 struct Overlap {
   double ratio = 0.0;      ///< of the patches within range that lie on a surface of the other submap

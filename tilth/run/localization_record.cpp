@@ -1,0 +1,82 @@
+#include <iomanip>
+#include <sstream>
+
+#include <tilth/io/output_file.hpp>
+#include <tilth/io/text_lines.hpp>
+#include <tilth/run/localization_record.hpp>
+
+namespace tilth {
+namespace {
+
+std::string pose_cells(const Pose& T_map_lidar) {
+  const Eigen::Quaterniond q = Eigen::Quaterniond(T_map_lidar.linear()).normalized();
+  const Eigen::Vector3d t = T_map_lidar.translation();
+  std::string text;
+  for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) text += ',' + exact_text(value);
+  return text;
+}
+
+}  // namespace
+
+std::vector<MapStateInterval> state_intervals(const LocalizationRecord& record) {
+  std::vector<MapStateInterval> intervals;
+  for (const LocalizationRow& row : record.rows) {
+    if (intervals.empty() || intervals.back().state != row.state)
+      intervals.push_back({row.state, row.stamp, row.stamp, 0});
+    intervals.back().to = row.stamp;
+    ++intervals.back().scans;
+  }
+  return intervals;
+}
+
+std::vector<double> times_to_answer(const LocalizationRecord& record) {
+  std::vector<double> times;
+  std::optional<double> since;
+  for (const LocalizationRow& row : record.rows) {
+    if (row.begun || row.state == MapState::lost) since = row.stamp;
+    if (!since || !is_known(row.state)) continue;
+    times.push_back(row.stamp - *since);
+    since.reset();
+  }
+  return times;
+}
+
+void write_localization(const std::filesystem::path& path, const LocalizationRecord& record) {
+  std::ostringstream out;
+  out << "stamp,state,begun,x,y,z,qx,qy,qz,qw,overlap,through,hypotheses,ms";
+  constexpr const char* kAxes[] = {"rx", "ry", "rz", "tx", "ty", "tz"};
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) out << ",cov_" << kAxes[i] << '_' << kAxes[j];
+  out << '\n' << std::setprecision(9);
+  for (const LocalizationRow& row : record.rows) {
+    out << exact_text(row.stamp) << ',' << names_of(row.state)[std::size_t(row.state)] << ',' << row.begun;
+    out << (row.T_map_lidar ? pose_cells(*row.T_map_lidar) : ",,,,,,,");
+    out << ',' << row.overlap << ',' << row.through << ',' << row.hypotheses.size() << ',' << row.milliseconds;
+    for (int i = 0; i < 6; ++i)
+      for (int j = i; j < 6; ++j) {
+        out << ',';
+        if (row.T_map_lidar) out << row.covariance(i, j);
+      }
+    out << '\n';
+  }
+  write_text(path, out.str());
+}
+
+void write_hypotheses(const std::filesystem::path& path, const LocalizationRecord& record) {
+  std::ostringstream out;
+  out << "stamp,state,rank,x,y,z,qx,qy,qz,qw,likeness,against,in_favour,overlap,landmarks,fitness,through,"
+         "degenerate_directions\n"
+      << std::setprecision(6);
+  for (const LocalizationRow& row : record.rows) {
+    for (std::size_t i = 0; i < row.hypotheses.size(); ++i) {
+      const HypothesisRow& h = row.hypotheses[i];
+      out << exact_text(row.stamp) << ',' << names_of(row.state)[std::size_t(row.state)] << ',' << i
+          << pose_cells(h.T_map_lidar) << ',' << h.likeness << ',' << h.against << ',' << h.in_favour << ','
+          << h.overlap << ',' << h.landmarks << ',' << h.fitness << ',' << h.through << ',' << h.degenerate_directions
+          << '\n';
+    }
+  }
+  write_text(path, out.str());
+}
+
+}  // namespace tilth

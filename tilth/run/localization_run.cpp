@@ -1,0 +1,128 @@
+#include <tilth/core/error.hpp>
+#include <tilth/run/localization_run.hpp>
+#include <tilth/run/machine.hpp>
+#include <tilth/run/scan_row.hpp>
+#include <tilth/run/stopwatch.hpp>
+
+namespace tilth {
+namespace {
+
+std::string text_of(MapState state) {
+  return std::string(names_of(state)[std::size_t(state)]);
+}
+
+HypothesisRow row_of(const PlaceFit& fit, const PlaceFit& best) {
+  HypothesisRow row{.T_map_lidar = fit.T_map_lidar, .likeness = likeness_of(fit)};
+  const PairedFit shares = paired(best, fit);
+  row.against = shares.first, row.in_favour = shares.second;
+  row.overlap = fit.overlap.ratio, row.landmarks = fit.overlap.landmarks, row.fitness = fit.overlap.fitness;
+  row.through = fit.through;
+  row.degenerate_directions = fit.determined.degenerate_directions;
+  return row;
+}
+
+/// Takes scans one by one.
+class LocalizationLoop {
+ public:
+  LocalizationLoop(Localizer& localizer, RunObserver& observer, RunRecord& record)
+      : localizer_(localizer), observer_(observer), record_(record) {}
+
+  void forget() {
+    localizer_.forget();
+    begins_ = true;
+  }
+
+  void add(const Scan& scan, double read_ms) {
+    const Stopwatch stopwatch;
+    const double cpu_before = thread_cpu_milliseconds();
+    LocatedScan located = localizer_.add(scan);
+    ScanRow row = row_of(scan, located.odometry);
+    row.register_ms = stopwatch.milliseconds();
+    row.register_cpu_ms = thread_cpu_milliseconds() - cpu_before;
+    row.read_ms = read_ms;
+    tell(located);
+    keep(located, std::move(row));
+    begins_ = false;
+  }
+
+ private:
+  void tell(const LocatedScan& located) {
+    if (located.state == state_ && !begins_) return;
+    const std::string when = "at " + std::to_string(located.odometry.stamp) + " s: ";
+    if (located.state == MapState::lost)
+      observer_.warn(when + "the place in the map is lost");
+    else if (state_ != MapState::lost || located.state != MapState::searching)
+      observer_.note(when + text_of(located.state));
+    state_ = located.state;
+  }
+
+  void keep(LocatedScan& located, ScanRow row) {
+    LocalizationRow to{.stamp = located.odometry.stamp, .state = located.state, .T_map_lidar = located.T_map_lidar};
+    to.covariance = located.covariance;
+    to.overlap = located.overlap, to.through = located.through;
+    to.milliseconds = row.register_ms, to.begun = begins_;
+    for (const PlaceFit& fit : located.hypotheses) to.hypotheses.push_back(row_of(fit, located.hypotheses.front()));
+    if (located.T_map_lidar) {
+      row.variances = located.covariance.diagonal();
+      record_.trajectory.push_back({to.stamp, *located.T_map_lidar});
+      record_.scans.rows.push_back(std::move(row));
+    }
+    record_.localization->rows.push_back(std::move(to));
+  }
+
+  Localizer& localizer_;
+  RunObserver& observer_;
+  RunRecord& record_;
+  MapState state_ = MapState::searching;
+  bool begins_ = true;
+};
+
+RunEnd run_through(ScanSource& source, const LocalizationRunOptions& options, LocalizationLoop& loop,
+                   RunObserver& observer, RunRecord& record) {
+  const SessionOptions& session = options.session;
+  for (std::size_t read = 0; session.max_scans == 0 || read < session.max_scans; ++read) {
+    if (session.interrupted && session.interrupted()) return RunEnd::interrupted;
+    const Stopwatch reading;
+    const std::optional<Scan> scan = source.next();
+    if (session.strict && !source.skipped().empty()) return RunEnd::bad_record;
+    if (!scan) return RunEnd::end_of_input;
+    if (read == 0) record.decisions = source.decisions();
+    if (options.restart_every > 0 && read > 0 && read % options.restart_every == 0) loop.forget();
+    try {
+      loop.add(*scan, reading.milliseconds());
+    } catch (const UnusableScan& e) {
+      record.skipped.push_back({read, "scan " + std::to_string(read), e.what()});
+    }
+    observer.progress(read + 1, source.size());
+  }
+  return RunEnd::max_scans;
+}
+
+}  // namespace
+
+RunEnd localize(ScanSource& source, Localizer& localizer, const LocalizationRunOptions& options, RunObserver& observer,
+                RunRecord& record) {
+  const Stopwatch stopwatch;
+  if (!record.localization) record.localization.emplace();
+  LocalizationLoop loop(localizer, observer, record);
+  const RunEnd end = run_through(source, options, loop, observer, record);
+  for (const std::string& decision : record.decisions) observer.note(decision);
+  record.skipped.insert(record.skipped.end(), source.skipped().begin(), source.skipped().end());
+  for (const SkippedScan& skipped : record.skipped) observer.warn("skipped: " + skipped.where + ": " + skipped.what);
+  record.notices = source.notices();
+  for (const std::string& notice : record.notices) observer.note(notice);
+  record.ended = to_text(end);
+  record.wall_seconds = stopwatch.seconds();
+  record.peak_megabytes = peak_megabytes();
+  return end;
+}
+
+void show_map(const PlaceMap& map, RunRecord& record) {
+  PointCloud cloud;
+  for (std::size_t i = 0; i < map.places().size(); ++i) {
+    for (const SurfacePatch& patch : map.patches(i)) cloud.points.push_back(map.places()[i].T_map_lidar * patch.mean);
+  }
+  record.map.add(cloud, Pose::Identity(), 0.0, {});
+}
+
+}  // namespace tilth

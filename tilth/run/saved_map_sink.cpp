@@ -1,0 +1,67 @@
+#include <system_error>
+
+#include <tilth/atlas/map_writer.hpp>
+#include <tilth/atlas/merge_maps.hpp>
+#include <tilth/core/error.hpp>
+#include <tilth/run/run_record.hpp>
+#include <tilth/run/saved_map_sink.hpp>
+#include <tilth/run/track_record.hpp>
+
+namespace tilth {
+namespace {
+
+/// A folder that goes when this does.
+struct PassingFolder {
+  std::filesystem::path path;
+  ~PassingFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+};
+
+class SavedMapSink final : public Sink {
+ public:
+  SavedMapSink(SavedMapPlan plan, const Slam& slam) : plan_(std::move(plan)), slam_(slam) {
+    if (plan_.continues.empty()) {
+      writer_.emplace(plan_.folder);
+      return;
+    }
+    earlier_.emplace(plan_.continues);
+    MapWriter refuses_what_is_no_map(plan_.folder);
+  }
+
+  void finish(const RunRecord& record) override {
+    if (was_lost(record.scans)) throw Error(plan_.folder.string(), "is not written: " + loss_sentence(record.scans));
+    if (!earlier_) return write(*writer_, record);
+    const PassingFolder own{plan_.folder.string() + ".new"};
+    MapWriter writer(own.path);
+    write(writer, record);
+    merge_maps(*earlier_, MapFolder(own.path), plan_.localize, plan_.folder);
+  }
+
+ private:
+  void write(MapWriter& writer, const RunRecord& record) const {
+    const LoopCloser& loops = slam_.loops();
+    for (std::size_t i = 0; i < loops.keyframes().size(); ++i) {
+      const Keyframe& keyframe = loops.keyframes()[i];
+      writer.add({.stamp = keyframe.stamp, .T_map_lidar = loops.poses()[i], .covariance = keyframe.covariance},
+                 keyframe.patches);
+    }
+    std::optional<BeamEstimate> beams;
+    if (plan_.beams) beams.emplace().model = *plan_.beams;
+    writer.finish({record.version, record.source}, loops.graph(), beams);
+  }
+
+  SavedMapPlan plan_;
+  const Slam& slam_;
+  std::optional<MapWriter> writer_;
+  std::optional<MapFolder> earlier_;
+};
+
+}  // namespace
+
+std::unique_ptr<Sink> saved_map_sink(SavedMapPlan plan, const Slam& slam) {
+  return std::make_unique<SavedMapSink>(std::move(plan), slam);
+}
+
+}  // namespace tilth
