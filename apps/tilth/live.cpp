@@ -151,7 +151,8 @@ void add_live(CLI::App& app, int& exit_code) {
   command->add_option("--pipeline", a->run.options.pipeline, "see `tilth pipelines`; default: the first of them");
   add_setting_arguments(*command, a->run.options);
   add_option_flags(*command, describe(LiveOptions{}), a->input);
-  add_beams_flags(*command, a->run);
+  add_beams_flag(*command, a->run);
+  add_learn_beams_flag(*command, a->run);
   add_output_flags(*command, a->run);
   add_threads_flag(*command, a->run);
   command->add_flag("--quiet", a->run.quiet, "print errors only");

@@ -120,7 +120,7 @@ void add_localize(CLI::App& app, int& exit_code) {
       ->expected(4);
   command->add_option("--restart-every", a->restart_every, "forget the place after so many scans, and find it anew");
   add_source_flags(*command, a->input);
-  add_beams_flags(*command, a->run);
+  add_beams_flag(*command, a->run);
   command->add_option("--max-scans", a->run.session.max_scans, "stop after so many scans");
   command->add_flag("--strict", a->run.session.strict, "a record that cannot be used ends the run with an error");
   command->add_option("--pipeline", a->run.options.pipeline, "see `tilth pipelines`; default: the first of them");

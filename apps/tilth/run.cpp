@@ -65,7 +65,8 @@ void add_input_options(CLI::App& command, RecordingArguments& a) {
                   "folder of scans, KITTI sequence, bag, network capture, udp://:PORT or sim://SCENE")
       ->required();
   add_source_flags(command, a.input);
-  add_beams_flags(command, a.run);
+  add_beams_flag(command, a.run);
+  add_learn_beams_flag(command, a.run);
   command.add_option("--max-scans", a.run.session.max_scans, "stop after so many scans");
   command.add_flag("--strict", a.run.session.strict, "a record that cannot be used ends the run with an error");
 }

@@ -24,8 +24,11 @@ void add_threads_flag(CLI::App& command, RunArguments& arguments) {
   command.add_option("--threads", arguments.threads, "0: as many as there are processors")->check(CLI::Range(0, 1024));
 }
 
-void add_beams_flags(CLI::App& command, RunArguments& arguments) {
+void add_beams_flag(CLI::App& command, RunArguments& arguments) {
   command.add_option("--beams", arguments.beams, kBeamsMeaning)->option_text("FILE");
+}
+
+void add_learn_beams_flag(CLI::App& command, RunArguments& arguments) {
   command.add_flag("--learn-beams", arguments.learn_beams, kLearnBeamsMeaning);
 }
 

@@ -36,8 +36,11 @@ void add_output_flags(CLI::App& command, RunArguments& arguments);
 /// Adds --threads.
 void add_threads_flag(CLI::App& command, RunArguments& arguments);
 
-/// Adds --beams and --learn-beams.
-void add_beams_flags(CLI::App& command, RunArguments& arguments);
+/// Adds --beams.
+void add_beams_flag(CLI::App& command, RunArguments& arguments);
+
+/// Adds --learn-beams.
+void add_learn_beams_flag(CLI::App& command, RunArguments& arguments);
 
 /// A run before its first scan.
 struct PlannedRun {
