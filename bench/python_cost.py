@@ -33,7 +33,7 @@ def in_python(scans):
 def main():
     rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 8
     with tempfile.TemporaryDirectory() as recording:
-        tilth.simulate("plaza_fast", recording, seed=5, duration=8)
+        tilth.simulate("corridor_fast", recording, seed=5, duration=8)
         scans = [(s.points, s.times, s.rings, s.intensities, s.stamp) for s in tilth.open(recording)]
         pairs = [(in_cpp(recording), in_python(scans)) for _ in range(rounds)]
     cpp, python = (np.mean(np.min(times, axis=0)) for times in zip(*pairs, strict=True))

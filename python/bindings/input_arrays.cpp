@@ -7,7 +7,7 @@ namespace tilth::python {
 namespace {
 
 constexpr double kRigid = 1e-3;         // by which a rotation may miss being one
-constexpr double kLongestScan = 10.0;   // [s]
+constexpr float kLongestScan = 10.0F;   // [s]
 constexpr double kMostRings = 65535.0;  // as 16 bits hold
 
 std::string shape_text(const InputArray& array) {
@@ -21,8 +21,7 @@ void require_shape(bool holds, const InputArray& array, const std::string& name,
 }
 
 void require_column(const InputArray& array, std::size_t size, const std::string& name) {
-  require_shape(array.ndim() == 1 && array.shape(0) == size, array, name,
-                "(" + std::to_string(size) + ",), an entry a point");
+  require_shape(array.ndim() == 1 && array.shape(0) == size, array, name, "(" + std::to_string(size) + ",)");
 }
 
 /// numpy's letter for the kind of its elements.
@@ -83,8 +82,11 @@ std::string entry(const std::string& name, std::size_t i) {
 
 std::vector<float> times_of(nb::handle object, std::size_t size) {
   std::vector<float> times = column_of<float>(object, size, "times");
-  for (std::size_t i = 0; i < size; ++i) {
-    if (times[i] >= 0 && times[i] <= kLongestScan) continue;
+  const auto is_time = [](float time) { return bool(int(time >= 0) & int(time <= kLongestScan)); };
+  int wrong = 0;
+  for (const float time : times) wrong |= int(!is_time(time));  // without a branch: quickly
+  for (std::size_t i = 0; wrong != 0 && i < size; ++i) {
+    if (is_time(times[i])) continue;
     throw Error(entry("times", i), "is " + std::to_string(times[i]) +
                                        ", expected seconds since the stamp of the scan, 0 .. " +
                                        std::to_string(int(kLongestScan)));
@@ -190,8 +192,6 @@ Trajectory trajectory_of(nb::handle stamps, nb::handle poses, const std::string&
 }
 
 std::vector<double> numbers_of(nb::handle object, std::size_t size, const std::string& name) {
-  const InputArray array = number_array(object, name);
-  require_shape(array.ndim() == 1 && array.shape(0) == size, array, name, "(" + std::to_string(size) + ",)");
   return column_of<double>(object, size, name);
 }
 
