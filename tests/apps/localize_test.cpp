@@ -1,9 +1,11 @@
 // Whole commands: a drive becomes a map, another drive is found in it, and what is no map is refused.
 #include <cmath>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "program.hpp"
+#include "support/real_recording.hpp"
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/trajectory_file.hpp>
 #include <tilth/simulation/simulator.hpp>
@@ -90,6 +92,75 @@ TEST_F(LocalizeCommand, RefusesWhatIsNoMap) {
   const Outcome here = tilth({"run", kMapped, "--out", out, "--save-map", (*folder_ / "run").string()});
   EXPECT_EQ(here.exit_code, 1);
   EXPECT_NE(here.err.find("is no map"), std::string::npos) << here.err;
+}
+
+TEST_F(LocalizeCommand, GoesOnWithAMap) {
+  const std::string both = (*folder_ / "both").string(), out = (*folder_ / "next").string();
+  const Outcome run = tilth({"run", kDriven, "--out", out, "--map", map(), "--save-map", both});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const Outcome info = tilth({"map", "info", both});
+  EXPECT_EQ(info.exit_code, 0) << info.err;
+  EXPECT_NE(info.out.find("seed=71"), std::string::npos) << info.out;
+  EXPECT_NE(info.out.find("seed=72"), std::string::npos) << info.out;
+  EXPECT_FALSE(std::filesystem::exists(both + ".new"));
+  const std::string elsewhere = (*folder_ / "elsewhere_map").string();
+  const Outcome apart = tilth(
+      {"run", "sim://plaza?seed=74&columns=400&duration=8", "--out", out, "--map", map(), "--save-map", elsewhere});
+  EXPECT_EQ(apart.exit_code, 1);
+  EXPECT_NE(apart.err.find("do not overlap"), std::string::npos) << apart.err;
+  EXPECT_FALSE(std::filesystem::exists(elsewhere));
+}
+
+TEST_F(LocalizeCommand, MakesAMapOfACloud) {
+  const std::string cloud = (*folder_ / "bare.pcd").string(), imported = (*folder_ / "imported").string();
+  ASSERT_EQ(tilth({"map", "export", map(), cloud, "--map-voxel", "0.05"}).exit_code, 0);
+  const Outcome made = tilth({"map", "import", cloud, "--out", imported});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(tilth({"map", "info", imported}).exit_code, 0);
+  const Outcome wrong = tilth({"map", "import", (*folder_ / "cloud.csv").string(), "--out", imported});
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_NE(wrong.err.find(".pcd or .ply"), std::string::npos) << wrong.err;
+}
+
+/// Scans `from` to `to` of a folder of scans with times, as a folder of its own.
+void cut_out(const std::filesystem::path& whole, std::size_t from, std::size_t to, const std::filesystem::path& part) {
+  std::filesystem::create_directories(part / "scans");
+  for (std::size_t i = from; i <= to; ++i) {
+    std::string name = std::to_string(i);
+    name = std::string(6 - name.size(), '0') + name + ".pcd";
+    std::filesystem::create_symlink(std::filesystem::absolute(whole / "scans" / name), part / "scans" / name);
+  }
+  std::ifstream times(whole / "times.txt");
+  std::ofstream some(part / "times.txt");
+  std::string line;
+  for (std::size_t i = 0; std::getline(times, line);) {
+    if (line.starts_with('#')) continue;
+    if (i >= from && i <= to) some << line << '\n';
+    ++i;
+  }
+}
+
+TEST(LocalizeReal, FindsAWayDrivenBackTheOtherWay) {
+  const std::filesystem::path loop = recording("vlp16-outdoor-loop");
+  NEEDS(loop);
+  const TemporaryFolder folder;
+  cut_out(loop, 0, 200, folder / "first");
+  cut_out(loop, 340, 405, folder / "back");
+  const std::string whole = (folder / "whole").string(), map = (folder / "map").string();
+  ASSERT_EQ(tilth({"run", loop.string(), "--out", whole, "--loop-closure"}).exit_code, 0);
+  ASSERT_EQ(
+      tilth({"run", (folder / "first").string(), "--out", (folder / "out").string(), "--save-map", map}).exit_code, 0);
+  const Outcome outcome = tilth({"localize", (folder / "back").string(), "--map", map, "--out",
+                                 (folder / "found").string(), "--restart-every", "30"});
+  ASSERT_EQ(outcome.exit_code, 3) << outcome.err;  // the last start has too few scans
+  const Trajectory expected = read_tum(folder / "whole/trajectory.tum"),
+                   found = read_tum(folder / "found/trajectory.tum");
+  ASSERT_GE(found.size(), 30U);
+  for (const StampedPose& pose : found) {
+    const Pose error = interpolate(expected, pose.stamp).inverse() * pose.T_world_lidar;
+    EXPECT_LT(error.translation().norm(), 0.05) << pose.stamp;
+    EXPECT_LT(angle_of(error), 0.01) << pose.stamp;
+  }
 }
 
 }  // namespace

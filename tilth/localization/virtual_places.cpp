@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include <Eigen/Eigenvalues>
 
@@ -16,6 +17,12 @@ namespace tilth {
 namespace {
 
 using Cell2d = std::pair<std::int64_t, std::int64_t>;
+
+constexpr double kGroundCell = 0.5;  // [m]
+
+Cell2d ground_cell_of(const Eigen::Vector3d& p) {
+  return {std::int64_t(std::floor(p.x() / kGroundCell)), std::int64_t(std::floor(p.y() / kGroundCell))};
+}
 
 struct CellMoments {
   std::uint32_t points = 0;
@@ -31,8 +38,7 @@ struct CellMoments {
 };
 
 SurfacePatch patch_of(const CellMoments& moments) {
-  SurfacePatch patch;
-  patch.mean = moments.mean;
+  SurfacePatch patch{.mean = moments.mean};
   patch.covariance = moments.scatter / double(moments.points - 1);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(patch.covariance);
   patch.normal = eigen.eigenvectors().col(0);
@@ -67,12 +73,10 @@ class PatchBlocks {
   template <class F>
   void for_each_near(const Eigen::Vector3d& place, const F& f) const {
     const auto [bx, by] = block_of(place);
-    for (std::int64_t dy = -1; dy <= 1; ++dy) {
-      for (std::int64_t dx = -1; dx <= 1; ++dx) {
-        const auto block = blocks_.find({bx + dx, by + dy});
-        if (block == blocks_.end()) continue;
-        for (const std::uint32_t i : block->second) f(patches_[i]);
-      }
+    for (int i = 0; i < 9; ++i) {
+      const auto block = blocks_.find({bx + i % 3 - 1, by + i / 3 - 1});
+      if (block == blocks_.end()) continue;
+      for (const std::uint32_t number : block->second) f(patches_[number]);
     }
   }
 
@@ -135,37 +139,43 @@ SurfacePatches seen_from(const Eigen::Vector3d& place, const PatchBlocks& blocks
   return evenly_chosen<SurfacePatch>(near, std::size_t(options.max_patches));
 }
 
-/// Free ground: places of a LiDAR above it.
-std::vector<Eigen::Vector3d> free_places(const SurfacePatches& patches, const VirtualPlaceOptions& options) {
-  constexpr double kSide = 0.5, kLevel = 0.9, kStep = 0.3;  // [m], cosine, [m] that one drives over
-  const auto cell_of = [&](const Eigen::Vector3d& p) {
-    return Cell2d{std::int64_t(std::floor(p.x() / kSide)), std::int64_t(std::floor(p.y() / kSide))};
-  };
+/// Cells of the plane with the height of their lowest level surface, less those where something stands in the way of a
+/// LiDAR, and those with something beneath: a ceiling is no ground.
+std::map<Cell2d, double> free_ground(const SurfacePatches& patches, double height) {
+  constexpr double kLevel = 0.9, kStep = 0.3, kBeneath = 0.6;  // cosine, [m] that one drives over, [m]
+  constexpr std::int64_t kAside = 1, kAbout = 3;               // [cells] that stay free, that have nothing beneath
   std::map<Cell2d, double> ground;
   for (const SurfacePatch& patch : patches) {
     if (!patch.flat || std::abs(patch.normal.z()) < kLevel) continue;
-    double& z = ground.try_emplace(cell_of(patch.mean), patch.mean.z()).first->second;
+    double& z = ground.try_emplace(ground_cell_of(patch.mean), patch.mean.z()).first->second;
     z = std::min(z, patch.mean.z());
   }
-  std::map<Cell2d, bool> taken;
+  std::set<Cell2d> taken;
   for (const SurfacePatch& patch : patches) {
-    const auto [x, y] = cell_of(patch.mean);
-    for (int i = 0; i < 9; ++i) {
-      const auto floor = ground.find({x + i % 3 - 1, y + i / 3 - 1});
+    const auto [x, y] = ground_cell_of(patch.mean);
+    for (std::int64_t i = 0; i < (2 * kAbout + 1) * (2 * kAbout + 1); ++i) {
+      const std::int64_t dx = i % (2 * kAbout + 1) - kAbout, dy = i / (2 * kAbout + 1) - kAbout;
+      const auto floor = ground.find({x + dx, y + dy});
       if (floor == ground.end()) continue;
       const double above = patch.mean.z() - floor->second;
-      if (above > kStep && above < options.height + kStep) taken[floor->first] = true;
+      const bool near = std::max(std::abs(dx), std::abs(dy)) <= kAside;
+      if (above < -kBeneath || (near && above > kStep && above < height + kStep)) taken.insert(floor->first);
     }
   }
+  for (const Cell2d& cell : taken) ground.erase(cell);
+  return ground;
+}
+
+/// Places of a LiDAR above free ground.
+std::vector<Eigen::Vector3d> free_places(const SurfacePatches& patches, const VirtualPlaceOptions& options) {
   std::vector<Eigen::Vector3d> places;
-  const auto is_free = [&](const Eigen::Vector3d& place) {
-    return std::none_of(places.begin(), places.end(),
-                        [&](const Eigen::Vector3d& other) { return (other - place).head<2>().norm() < options.step; });
-  };
-  for (const auto& [cell, z] : ground) {
-    const Eigen::Vector3d place((double(cell.first) + 0.5) * kSide, (double(cell.second) + 0.5) * kSide,
+  std::set<Cell2d> near;  // places, by cells of the step
+  for (const auto& [cell, z] : free_ground(patches, options.height)) {
+    const Eigen::Vector3d place((double(cell.first) + 0.5) * kGroundCell, (double(cell.second) + 0.5) * kGroundCell,
                                 z + options.height);
-    if (!taken.contains(cell) && is_free(place)) places.push_back(place);
+    const Cell2d coarse{std::int64_t(std::floor(place.x() / options.step)),
+                        std::int64_t(std::floor(place.y() / options.step))};
+    if (near.insert(coarse).second) places.push_back(place);
   }
   return places;
 }

@@ -23,7 +23,7 @@ struct VirtualPlaceOptions {
 template <class V>
 void visit(VirtualPlaceOptions& o, V&& v) {
   v("height", o.height, Bounds{0.1, 10}, "[m] of the LiDAR above the ground, about");
-  v("step", o.step, Bounds{0.5, 100}, "[m] between two places");
+  v("step", o.step, Bounds{0.5, 100}, "[m] of cells of the plane, each of which gets a place where it has free ground");
   v("cell", o.cell, Bounds{0.05, 5}, "[m] of the voxels whose points become a patch");
   v("min_points", o.min_points, Bounds{3, 1e6}, "[points] of a patch, at least");
   v("range", o.range, Bounds{1, 1000}, "[m] that a place sees");
