@@ -45,7 +45,8 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
   add_options(source_options, source_defaults, plan.record);
   add_options(describe_beams(arguments.beams), describe_beams({}), plan.record);
   if (!arguments.beams.empty()) plan.beams = read_beams(arguments.beams).model;
-  plan.record.map = MapBuilder(with<MapOptions>(arguments.map));
+  const auto map = with<MapOptions>(arguments.map);
+  plan.record.map = MapBuilder(map);
   plan.output = with<OutputOptions>(arguments.output);
   plan.report = with<ReportOptions>(arguments.report);
   const SlamOptions slam = with<SlamOptions>(choice.loop);
@@ -55,6 +56,7 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
     plan.pipeline = with_loop_closure(std::move(plan.pipeline.odometry), slam);
   }
   plan.outputs = run_outputs(plan.output, plan.report, arguments.loop_closure);
+  if (map.keep_moving) std::erase_if(plan.outputs, [](const RunOutput& output) { return output.file == "moving.pcd"; });
   return plan;
 }
 

@@ -54,6 +54,7 @@ RunEnd Session::run(const SessionOptions& options) {
   record_.ended = "it goes on";  // as what is saved meanwhile says
   const RunEnd end = register_scans(options);
   take_notices();
+  record_.map.settle();
   if (pipeline_.slam != nullptr) close_loops(*pipeline_.slam, record_);
   record_.ended = to_text(end);
   record_.wall_seconds = stopwatch.seconds();
@@ -141,7 +142,7 @@ std::optional<OdometryResult> Session::register_scan(const Scan& scan, double re
 
 void Session::keep(const Scan& scan, const OdometryResult& result, ScanRow row) {
   const Stopwatch mapping;
-  record_.map.add(result.filtered, result.T_world_lidar, result.stamp - scan.stamp, result.motion);
+  record_.map.add(result, scan.stamp);
   row.map_ms = mapping.milliseconds();
   record_.trajectory.push_back({result.stamp, result.T_world_lidar});
   record_.scans.stages = clock_.stages();
