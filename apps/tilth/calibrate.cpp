@@ -126,7 +126,7 @@ int calibrate(const CalibrateArguments& a) {
   if (!a.prior.empty()) file = read_beams(a.prior);
   RunRecord record;
   record.source = a.run.source;
-  record.map = MapBuilder({.voxel = 10.0});  // nobody asks for it
+  record.map = MapBuilder({.voxel = 10.0, .keep_moving = true});  // nobody asks for it
   Session session(open_source(a.run.source, stopped_by_signals(a.input)), {make_odometry(choice.name, choice.values)},
                   std::move(record));
   session.observe(console);

@@ -18,6 +18,8 @@ void add_convert(CLI::App& app, int& exit_code);
 void add_live(CLI::App& app, int& exit_code);
 void add_play(CLI::App& app, int& exit_code);
 void add_score_filter(CLI::App& app, int& exit_code);
+void add_assess(CLI::App& app, int& exit_code);
+void add_score_moving(CLI::App& app, int& exit_code);
 void add_view(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
 void add_sweep(CLI::App& app, int& exit_code);

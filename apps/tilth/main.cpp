@@ -24,6 +24,8 @@ int main(int argc, char** argv) {
   tilth::app::add_live(app, exit_code);
   tilth::app::add_play(app, exit_code);
   tilth::app::add_score_filter(app, exit_code);
+  tilth::app::add_assess(app, exit_code);
+  tilth::app::add_score_moving(app, exit_code);
   tilth::app::add_view(app, exit_code);
   tilth::app::add_compare(app, exit_code);
   tilth::app::add_sweep(app, exit_code);

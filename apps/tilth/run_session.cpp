@@ -40,7 +40,8 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
   add_options(source_options, source_defaults, plan.record);
   add_options(describe_beams(arguments.beams, arguments.learn_beams), describe_beams({}, false), plan.record);
   if (!arguments.beams.empty()) plan.beams = read_beams(arguments.beams);
-  plan.record.map = MapBuilder(with<MapOptions>(arguments.map));
+  const auto map = with<MapOptions>(arguments.map);
+  plan.record.map = MapBuilder(map);
   plan.output = with<OutputOptions>(arguments.output);
   plan.report = with<ReportOptions>(arguments.report);
   const SlamOptions slam = with<SlamOptions>(choice.loop);
@@ -53,6 +54,7 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
     plan.pipeline = with_loop_closure(std::move(plan.pipeline), slam);
   }
   plan.outputs = run_outputs(plan.output, plan.report, loop_closure);
+  if (map.keep_moving) std::erase_if(plan.outputs, [](const RunOutput& output) { return output.file == "moving.pcd"; });
   return plan;
 }
 

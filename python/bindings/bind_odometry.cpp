@@ -38,8 +38,8 @@ std::shared_ptr<const RunRecord> closed(SlamRegistrar& slam) {
 
 void make_slam(SlamRegistrar* self, const std::string& pipeline, const OptionValues& values, const OptionValues& loop,
                const OptionValues& map) {
-  new (self)
-      SlamRegistrar(with_loop_closure(make_odometry(pipeline, values), with<SlamOptions>(loop)), with<MapOptions>(map));
+  new (self) SlamRegistrar(with_loop_closure({make_odometry(pipeline, values)}, with<SlamOptions>(loop)),
+                           with<MapOptions>(map));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ SlamRegistrar::SlamRegistrar(Pipeline pipeline, const MapOptions& map)
 
 void SlamRegistrar::keep(const Scan& scan, const OdometryResult& result) {
   closed_.reset();
-  record_.map.add(result.filtered, result.T_world_lidar, result.stamp - scan.stamp, result.motion);
+  record_.map.add(result, scan.stamp);
   record_.trajectory.push_back({result.stamp, result.T_world_lidar});
 }
 

@@ -46,7 +46,10 @@ std::vector<RunOutput> outputs_of(const RunRequest& request) {
   const auto output = with<OutputOptions>(request.output);
   const auto report = with<ReportOptions>(request.report);
   if (request.out.empty()) return {};
-  return run_outputs(output, report, request.loop_closure);
+  std::vector<RunOutput> outputs = run_outputs(output, report, request.loop_closure);
+  if (with<MapOptions>(request.map).keep_moving)
+    std::erase_if(outputs, [](const RunOutput& output) { return output.file == "moving.pcd"; });
+  return outputs;
 }
 
 std::optional<app::LockedFolder> folder_of(const RunRequest& request, const std::vector<RunOutput>& outputs) {

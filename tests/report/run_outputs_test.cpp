@@ -22,7 +22,7 @@ std::string text_of(const std::filesystem::path& path) {
 }
 
 OutputOptions everything() {
-  return {.map_format = "pcd,ply,las", .mcap = true};
+  return {.map_format = "pcd,ply,las,bt,tiles", .mcap = true, .grid = true};
 }
 
 /// A session over no scans whose record is `record`, with every file of `outputs` in `folder`.

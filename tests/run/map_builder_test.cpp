@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -100,6 +101,68 @@ TEST(MapBuilder, HasIntensityWhereTheCloudHas) {
   map.add(cloud, Pose::Identity(), 0.0, {});
   const PointRecords records = map.records();
   EXPECT_EQ(column(records, *records.find("intensity"))[0], 42.0);
+}
+
+/// A wall at x = 5, with a board before it at x = 3 where `board`.
+PointCloud wall(bool board) {
+  PointCloud cloud;
+  for (double y = -1.2; y < 1.2; y += 0.007) {
+    for (double z = -0.4; z < 0.4; z += 0.05) {
+      const double x = board && std::abs(y) < 0.3 ? 3.03 : 5.03;
+      cloud.points.emplace_back(x, y * x / 5, z * x / 5);
+    }
+  }
+  return cloud;
+}
+
+MapBuilder map_of_wall(const MapOptions& options, bool trusted) {
+  MapBuilder map(options);
+  for (int scan = 0; scan < 80; ++scan) map.add(wall(scan < 10), Pose::Identity(), 0.0, {}, {0.1 * scan, trusted});
+  return map;
+}
+
+std::size_t points_near(const std::vector<MapPoint>& points, float x) {
+  return std::size_t(
+      std::count_if(points.begin(), points.end(), [x](const MapPoint& p) { return std::abs(p.x - x) < 0.5F; }));
+}
+
+TEST(MapBuilder, TakesOutWhatLeft) {
+  MapBuilder map = map_of_wall({.voxel = 0.1}, true);
+  const std::size_t before = map.records().count;
+  map.settle();
+  EXPECT_GT(points_near(map.moving(), 3), 20U);
+  EXPECT_EQ(points_near(map.moving(), 5), 0U);
+  EXPECT_LT(points_near(map.points(), 3), 3U);
+  EXPECT_GT(points_near(map.points(), 5), 200U);
+  EXPECT_LT(before, map.points().size() + map.moving().size() / 10);  // the records leave it out before, too
+  EXPECT_EQ(map.size(), map.points().size());
+}
+
+TEST(MapBuilder, LeavesWhatMovesWhereThatIsAskedForAndWherePosesAreNotBelieved) {
+  for (MapBuilder map : {map_of_wall({.voxel = 0.1, .keep_moving = true}, true), map_of_wall({.voxel = 0.1}, false)}) {
+    map.settle();
+    EXPECT_EQ(map.moving().size(), 0U);
+    EXPECT_GT(points_near(map.points(), 3), 20U);
+  }
+}
+
+TEST(MapBuilder, HoldsWhatStandsWhereSomethingWent) {
+  MapBuilder map({.voxel = 0.1});
+  double stamp = 0.0;
+  const auto add = [&](bool board) { map.add(wall(board), Pose::Identity(), 0.0, {}, {stamp += 0.1, true}); };
+  for (int i = 0; i < 10; ++i) add(true);
+  for (int i = 0; i < 60; ++i) add(false);
+  for (int i = 0; i < 60; ++i) add(true);  // another board comes, and stays
+  map.settle();
+  EXPECT_GT(points_near(map.points(), 3), 20U);
+  EXPECT_GT(points_near(map.moving(), 3), 20U);
+}
+
+TEST(MapBuilder, MovesWhatMovedAsWell) {
+  MapBuilder map = map_of_wall({.voxel = 0.1}, true);
+  map.move(std::vector<Pose>(80, Pose(Eigen::Translation3d(10, 0, 0))));
+  EXPECT_GT(points_near(map.moving(), 13), 20U);
+  EXPECT_GT(points_near(map.points(), 15), 200U);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ struct MapPath {
 
 struct MapView {
   PackedMap points;                    ///< the number of a point's scan is that of a pose of paths.front()
+  PackedMap moving;                    ///< points that moved, in one layer at most
   std::vector<MapPath> paths;          ///< the estimate first
   std::vector<std::size_t> keyframes;  ///< poses of paths.front()
   std::vector<std::pair<std::size_t, std::size_t>> closures;  ///< pairs of such poses that a loop closure joins

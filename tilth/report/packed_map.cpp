@@ -12,7 +12,6 @@
 namespace tilth {
 namespace {
 
-constexpr std::size_t kFirstLayer = 150'000;    // points: what the page draws at first
 constexpr std::size_t kLargestLayer = 600'000;  // points of another: unpacked at a stretch
 constexpr double kFinestStep = 0.005;           // [m] well below what an eye sees in a whole map
 constexpr double kLargestNumber = std::numeric_limits<std::uint16_t>::max();
@@ -103,9 +102,9 @@ std::string packed_differences(const std::vector<QuantisedPoint>& points, const 
 
 /// The points of each layer: of neighbours in `points` every layer has its share.
 std::vector<std::vector<QuantisedPoint>> dealt(const std::vector<QuantisedPoint>& points) {
-  const std::size_t left = points.size() > kFirstLayer ? points.size() - kFirstLayer : 0;
+  const std::size_t left = points.size() > kOneLayer ? points.size() - kOneLayer : 0;
   const std::size_t others = (left + kLargestLayer - 1) / kLargestLayer;
-  const double first = std::min(1.0, double(kFirstLayer) / double(points.size()));
+  const double first = std::min(1.0, double(kOneLayer) / double(points.size()));
   std::vector<std::vector<QuantisedPoint>> layers(1 + others);
   for (std::size_t i = 0; i < points.size(); ++i) {
     double whole = 0.0;

@@ -31,6 +31,8 @@ struct PackedMap {
   std::vector<PackedLayer> layers;     ///< none where there are no points
 };
 
+inline constexpr std::size_t kOneLayer = 150'000;  ///< points of the first layer: what the page draws at first
+
 /// At most `most` of `points`, evenly over their order.
 PackedMap pack_map(std::span<const MapPoint> points, std::size_t most);
 

@@ -109,8 +109,8 @@ Json layer_json(const PackedLayer& layer) {
           {"z", base64(layer.z)}, {"scan", base64(layer.scan)}, {"intensity", base64(layer.intensity)}};
 }
 
-Json map_json(const MapView& map, Arrays& arrays) {
-  const PackedMap& points = map.points;
+/// With its first layer, where it has points.
+Json points_json(const PackedMap& points) {
   Json json{{"count", points.count},
             {"total", points.total},
             {"origin", points.origin},
@@ -118,6 +118,12 @@ Json map_json(const MapView& map, Arrays& arrays) {
             {"max_intensity", points.max_intensity},
             {"scans_per_number", points.scans_per_number}};
   if (!points.layers.empty()) json["first"] = layer_json(points.layers.front());
+  return json;
+}
+
+Json map_json(const MapView& map, Arrays& arrays) {
+  Json json = points_json(map.points);
+  if (!map.moving.layers.empty()) json["moving"] = points_json(map.moving);
   const bool empty = map.paths.empty() || map.paths.front().poses.empty();
   const double start = empty ? 0.0 : map.paths.front().poses.front().stamp;
   json["paths"] = Json::array();

@@ -1,6 +1,9 @@
 #include <tilth/report/run_outputs.hpp>
 #include <tilth/run/file_sinks.hpp>
+#include <tilth/run/grid_sink.hpp>
 #include <tilth/run/mcap_sink.hpp>
+#include <tilth/run/octomap_sink.hpp>
+#include <tilth/run/tile_sink.hpp>
 
 namespace tilth {
 
@@ -15,7 +18,21 @@ std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOpt
   for (const char* format : {"pcd", "ply", "las"}) {
     if (maps.contains(format)) all.push_back({std::string("map.") + format, map_sink});
   }
+  if (maps.contains("bt")) {
+    const double resolution = options.octomap_resolution;
+    all.push_back({"map.bt", [resolution](const Path& path) { return octomap_sink(path, resolution); }});
+  }
+  if (maps.contains("tiles")) {
+    const int edge = options.tile;
+    all.push_back({"pointcloud_map_metadata.yaml", [edge](const Path& path) { return tile_sink(path, edge); }});
+  }
+  all.push_back({"moving.pcd", moving_sink});
   all.push_back({"report.html", [report](const Path& path) { return report_sink(path, report); }});
+  if (options.grid) {
+    const auto plan = std::make_shared<PlanOfRun>(options.occupancy);
+    all.push_back({"map.pgm", [plan](const Path& path) { return grid_image_sink(path, plan); }});
+    all.push_back({"map.yaml", [plan](const Path& path) { return grid_yaml_sink(path, plan); }});
+  }
   if (options.mcap) {
     const auto open = [points = options.mcap_points](const Path& path) {
       return std::make_unique<McapSink>(path, points);

@@ -64,14 +64,17 @@ Report report_of(const RunRecord& record, std::size_t map_points) {
   report.alarm = loss_sentence(record.scans);
   report.facts = facts_of(record, judged_run);
   if (judged_run) report.notes = notices_of(judged_run->aligned);
-  report.map =
-      MapView{pack_map(record.map.points(), map_points), {{record.pipeline, record.trajectory, false}}, {}, {}};
+  report.map = MapView{pack_map(record.map.points(), map_points),
+                       pack_map(record.map.moving(), std::min(map_points, kOneLayer)),
+                       {{record.pipeline, record.trajectory, false}},
+                       {},
+                       {}};
   if (record.loops) add_loops(*record.loops, *report.map);
   if (judged_run) report.map->paths.push_back({"truth", judged_run->truth_in_world, true});
   report.sections.push_back(path_section(record, judged_run));
   if (judged_run) report.sections.push_back(accuracy_section(record, *judged_run));
   if (record.beams) report.sections.push_back(beams_section(*record.beams));
-  for (const auto& section : {time_section, registration_section, confidence_section, setup_section}) {
+  for (const auto& section : {quality_section, time_section, registration_section, confidence_section, setup_section}) {
     report.sections.push_back(section(record));
   }
   return report;

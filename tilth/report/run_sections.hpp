@@ -22,6 +22,9 @@ Section accuracy_section(const RunRecord& record, const JudgedRun& judged);
 /// Time of each stage, scan by scan and as distributions.
 Section time_section(const RunRecord& record);
 
+/// What the map and the track tell of the map's quality, without truth.
+Section quality_section(const RunRecord& record);
+
 /// Points, outliers, features, matches, iterations.
 Section registration_section(const RunRecord& record);
 

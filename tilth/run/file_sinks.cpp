@@ -61,6 +61,10 @@ std::unique_ptr<Sink> map_sink(const Path& path) {
   throw Error(path.string(), "is no name for a map: it must end with .pcd, .ply or .las");
 }
 
+std::unique_ptr<Sink> moving_sink(const Path& path) {
+  return file_sink(path, [](const Path& to, const RunRecord& run) { write_pcd(to, to_records(run.map.moving())); });
+}
+
 std::unique_ptr<Sink> odometry_trajectory_sink(const Path& path) {
   return file_sink(path, [](const Path& to, const RunRecord& run) { write_tum(to, loops_of(to, run).odometry); });
 }

@@ -19,6 +19,9 @@ std::unique_ptr<Sink> beams_sink(const std::filesystem::path& path);
 /// The map in the format of its ending: .pcd, .ply or .las. Throws Error naming a path that ends otherwise.
 std::unique_ptr<Sink> map_sink(const std::filesystem::path& path);
 
+/// The points that moved, as PCD.
+std::unique_ptr<Sink> moving_sink(const std::filesystem::path& path);
+
 /// Of a run with loop closure: the trajectory before it, the pairs that were looked at, the graph.
 std::unique_ptr<Sink> odometry_trajectory_sink(const std::filesystem::path& path);
 std::unique_ptr<Sink> closures_sink(const std::filesystem::path& path);

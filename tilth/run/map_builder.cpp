@@ -1,11 +1,16 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <iterator>
 
+#include <tilth/odometry/odometry.hpp>
 #include <tilth/run/map_builder.hpp>
 
 namespace tilth {
 namespace {
+
+constexpr std::uint32_t kScansBetween = 200;  // two times at which what is far is decided
+constexpr float kStillNear = 45;              // [m] beams may still pass there: MovingOptions::reach and a way to go
 
 /// Adds the voxel of the point; false where it was there before, or where it lies outside what the set can hold.
 bool take(VoxelSet& voxels, const MapPoint& point, double voxel) {
@@ -15,51 +20,127 @@ bool take(VoxelSet& voxels, const MapPoint& point, double voxel) {
 
 }  // namespace
 
-MapBuilder::MapBuilder(const MapOptions& options) : voxel_(options.voxel), max_points_(options.max_points) {}
+MapBuilder::MapBuilder(const MapOptions& options) : voxel_(options.voxel), max_points_(options.max_points) {
+  if (!options.keep_moving) sights_.emplace(MovingOptions{});
+}
 
-void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const MotionInScan& motion) {
-  const bool timed = cloud.has_times();
+void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const MotionInScan& motion,
+                     const ScanSight& sight) {
+  const bool timed = cloud.has_times(), bright = cloud.intensities.size() == cloud.size();
+  const bool watched = sights_ && sight.trusted;
   const ScanMotion moved(motion, pose_time);
-  const bool bright = cloud.intensities.size() == cloud.size();
+  const auto place = [&](const Eigen::Vector3d& p, std::size_t i) -> Eigen::Vector3f {
+    return (T_world_lidar * moved.move(p, timed ? double(cloud.times[i]) : pose_time)).cast<float>();
+  };
+  std::vector<MapPoint> points(cloud.size());
+  SeenScan seen{sight.stamp, {}, {}};
+  if (watched) seen.points.reserve(cloud.size());
+  const std::size_t every = MovingOptions{}.every;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3d p = T_world_lidar * moved.move(cloud.points[i], timed ? double(cloud.times[i]) : pose_time);
-    insert({float(p.x()), float(p.y()), float(p.z()), bright ? cloud.intensities[i] : 0.0F, scans_});
+    const Eigen::Vector3f p = place(cloud.points[i], i);
+    points[i] = {p.x(), p.y(), p.z(), bright ? cloud.intensities[i] : 0.0F, scans_};
+    if (!watched) continue;
+    seen.points.push_back(p);
+    if (i % every == scans_ % every) seen.lines.push_back({place(Eigen::Vector3d::Zero(), i), p});
   }
+  if (watched)
+    add_watched(points, seen, T_world_lidar.translation().cast<float>());
+  else
+    std::copy_if(points.begin(), points.end(), std::back_inserter(points_),
+                 [&](const MapPoint& p) { return take(voxels_, p, voxel_); });
+  bound();
   ++scans_;
 }
 
-void MapBuilder::insert(const MapPoint& point) {
-  if (!take(voxels_, point, voxel_)) return;
-  points_.push_back(point);
-  if (points_.size() <= max_points_) return;
-  voxel_ *= 2;
-  rebuild();
+void MapBuilder::add(const OdometryResult& result, double stamp) {
+  const bool trusted = result.in_map && result.track.state == TrackState::tracking;
+  add(result.filtered, result.T_world_lidar, result.stamp - stamp, result.motion, {result.stamp, trusted});
+}
+
+void MapBuilder::add_watched(std::span<const MapPoint> points, const SeenScan& seen, const Eigen::Vector3f& place) {
+  const std::vector<std::uint8_t> anew = sights_->add(seen);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (take(voxels_, points[i], voxel_) || anew[i] != 0) open_.push_back({points[i], sights_->scans()});
+  }
+  if (sights_->scans() % kScansBetween == 0) settle_far(place, kStillNear);
+}
+
+bool MapBuilder::gone(const OpenPoint& open) const {
+  return sights_->moved({open.point.x, open.point.y, open.point.z}, open.sight);
+}
+
+void MapBuilder::take_out(const MapPoint& point) {
+  if (take(moving_voxels_, point, voxel_)) moving_.push_back(point);
+}
+
+/// Decides of the points that are farther than `distance` from `place`, and forgets what was seen there.
+void MapBuilder::settle_far(const Eigen::Vector3f& place, float distance) {
+  sights_->judge(place, distance);
+  std::erase_if(open_, [&](const OpenPoint& open) {
+    if (!sights_->judged({open.point.x, open.point.y, open.point.z})) return false;
+    if (gone(open))
+      take_out(open.point);
+    else
+      points_.push_back(open.point);
+    return true;
+  });
+  sights_->forget(place, distance);
+}
+
+void MapBuilder::settle() {
+  if (sights_) settle_far(Eigen::Vector3f::Zero(), 0);
+}
+
+/// Doubles the voxels until the map fits its bound.
+void MapBuilder::bound() {
+  while (size() > max_points_) {
+    voxel_ *= 2;
+    rebuild();
+  }
 }
 
 void MapBuilder::move(std::span<const Pose> T_new_old) {
-  for (MapPoint& point : points_) {
-    const Eigen::Vector3d p = T_new_old[point.scan] * Eigen::Vector3d(point.x, point.y, point.z);
-    point = {float(p.x()), float(p.y()), float(p.z()), point.intensity, point.scan};
+  settle();
+  for (std::vector<MapPoint>* points : {&points_, &moving_}) {
+    for (MapPoint& point : *points) {
+      const Eigen::Vector3d p = T_new_old[point.scan] * Eigen::Vector3d(point.x, point.y, point.z);
+      point = {float(p.x()), float(p.y()), float(p.z()), point.intensity, point.scan};
+    }
   }
   rebuild();
 }
 
 void MapBuilder::rebuild() {
-  voxels_.clear();
+  voxels_.clear(), moving_voxels_.clear();
+  std::erase_if(moving_, [&](const MapPoint& p) { return !take(moving_voxels_, p, voxel_); });
   std::erase_if(points_, [&](const MapPoint& p) { return !take(voxels_, p, voxel_); });
+  std::erase_if(open_, [&](const OpenPoint& open) {
+    if (!gone(open)) return !take(voxels_, open.point, voxel_);
+    take_out(open.point);
+    return true;
+  });
 }
 
 PointRecords MapBuilder::records() const {
+  if (open_.empty()) return to_records(points_);
+  std::vector<MapPoint> all = points_;
+  for (const OpenPoint& open : open_) {
+    if (!gone(open)) all.push_back(open.point);
+  }
+  return to_records(all);
+}
+
+PointRecords to_records(std::span<const MapPoint> points) {
   PointRecords records;
   for (const char* name : {"x", "y", "z", "intensity"}) {
     records.fields.push_back({name, FieldType::f32, records.fields.size() * sizeof(float)});
   }
   records.stride = records.fields.size() * sizeof(float);
-  records.count = points_.size();
+  records.count = points.size();
   records.byte_order = std::endian::native;
   records.bytes.resize(records.stride * records.count);
   std::byte* to = records.bytes.data();
-  for (const MapPoint& p : points_) {
+  for (const MapPoint& p : points) {
     const float values[] = {p.x, p.y, p.z, p.intensity};
     std::memcpy(to, values, sizeof values);
     to += sizeof values;

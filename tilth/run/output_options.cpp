@@ -7,14 +7,15 @@
 namespace tilth {
 
 std::set<std::string> map_formats(const OutputOptions& options) {
-  const std::set<std::string> known{"pcd", "ply", "las"};
+  const std::set<std::string> known{"pcd", "ply", "las", "bt", "tiles"};
   std::set<std::string> formats;
   std::istringstream words(options.map_format);
   for (std::string word; std::getline(words, word, ',');) {
-    if (!known.contains(word)) throw Error("option map_format", "has '" + word + "': expected pcd, ply or las");
+    if (!known.contains(word))
+      throw Error("option map_format", "has '" + word + "': expected pcd, ply, las, bt or tiles");
     formats.insert(word);
   }
-  if (formats.empty()) throw Error("option map_format", "names no format: expected pcd, ply or las");
+  if (formats.empty()) throw Error("option map_format", "names no format: expected pcd, ply, las, bt or tiles");
   return formats;
 }
 

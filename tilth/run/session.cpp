@@ -36,6 +36,7 @@ RunEnd Session::run(const SessionOptions& options) {
   const RunEnd end = register_scans(options);
   take_notices();
   if (pipeline_.beams != nullptr) record_.beams = pipeline_.beams->found();
+  record_.map.settle();
   if (pipeline_.slam != nullptr) close_loops(*pipeline_.slam, record_);
   record_.ended = to_text(end);
   record_.wall_seconds = stopwatch.seconds();
@@ -123,7 +124,7 @@ std::optional<OdometryResult> Session::register_scan(const Scan& scan, double re
 
 void Session::keep(const Scan& scan, const OdometryResult& result, ScanRow row) {
   const Stopwatch mapping;
-  record_.map.add(result.filtered, result.T_world_lidar, result.stamp - scan.stamp, result.motion);
+  record_.map.add(result, scan.stamp);
   row.map_ms = mapping.milliseconds();
   record_.trajectory.push_back({result.stamp, result.T_world_lidar});
   record_.scans.stages = clock_.stages();

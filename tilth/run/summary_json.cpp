@@ -48,6 +48,7 @@ Json counts(const RunRecord& record) {
           {"degenerate",
            std::count_if(rows.begin(), rows.end(), [](const ScanRow& r) { return r.degenerate_directions > 0; })},
           {"map_points", record.map.size()},
+          {"moving_points", record.map.moving().size()},
           {"points_read", over_scans(record.scans, [](const ScanRow& r) { return double(r.points_read); })},
           {"points_in", over_scans(record.scans, [](const ScanRow& r) { return double(r.points_in); })},
           {"outliers", over_scans(record.scans, [](const ScanRow& r) { return double(r.outliers); })},

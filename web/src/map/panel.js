@@ -13,8 +13,8 @@ function modeChoice(view) {
 }
 
 /** Shows a part of the view or hides it; `swatch` names the colour that it has. */
-function toggle(view, part, name, swatch) {
-  const box = element("input", { type: "checkbox", checked: true });
+function toggle(view, part, name, swatch, checked = true) {
+  const box = element("input", { type: "checkbox", checked });
   box.addEventListener("change", () => view.toggle(part, box.checked));
   return element("label", {}, box, ...(swatch ? [element("i", { className: `swatch ${swatch}` })] : []), name);
 }
@@ -54,6 +54,7 @@ export class Panel {
   choices(view) {
     const { paths, keyframes, closures } = this.map;
     const toggles = [toggle(view, "cloud", "map"), toggle(view, "ways", "trajectory", "way")];
+    if (this.map.moving) toggles.push(toggle(view, "moved", "what moved", "moved", false));
     const before = paths.slice(1).find((path) => !path.truth);
     if (before) toggles.push(toggle(view, "earlier", before.name, "earlier"));
     if (paths.some((path) => path.truth)) toggles.push(toggle(view, "truths", "truth", "truth"));

@@ -17,7 +17,7 @@ void main() {
   gl_Position = moment > until || position.z > cut ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * at;
   gl_PointSize = clamp(size / -at.z, 1.0, 12.0);
   float share = mode == 0 ? (position.z - heights.x) / (heights.y - heights.x) : mode == 1 ? intensity : moment;
-  shade = mode == 3 ? mix(vec3(0.55), hue(fract(scan * 0.6180339887)), 0.75)
+  shade = mode == 4 ? vec3(0.86, 0.15, 0.22) : mode == 3 ? mix(vec3(0.55), hue(fract(scan * 0.6180339887)), 0.75)
                     : texture2D(ramp, vec2(clamp(share, 0.002, 0.998), 0.5)).rgb;
 }`;
 const kFragment = `
@@ -115,6 +115,11 @@ export class MapPoints {
   colorBy(mode, ramp) {
     this.material.uniforms.mode.value = mode;
     this.material.uniforms.ramp.value = ramp;
+  }
+
+  /** One colour for all: of what moved. */
+  inRed() {
+    this.material.uniforms.mode.value = 4;
   }
 
   /** Shows what was seen until `share` of the run, 0 to 1. */

@@ -23,6 +23,8 @@ export class MapView {
     const context = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true }); // what is drawn stays, to be added to
     if (!context) return undefined;
     const points = new MapPoints(map, await unpacking);
+    if (map.moving) Object.assign(map.moving, { paths: map.paths });
+    points.moved = new MapPoints(map.moving ?? map, map.moving && (await unpacked(map.moving, map.moving.first)));
     const view = new MapView(place, map, points, timeline, new THREE.WebGLRenderer({ canvas, context }));
     await new Promise((resume) => requestAnimationFrame(resume));
     await view.finished();
@@ -66,7 +68,11 @@ export class MapView {
     this.closures = closureLines(estimate, this.map.closures);
     this.grid = new THREE.Group();
     this.cloud = this.points.object;
-    this.scene.add(this.cloud, this.ways, this.earlier, this.truths, this.robot.object, this.keyframes, this.closures);
+    this.moved = this.points.moved.object;
+    this.moved.visible = false;
+    this.points.moved.inRed();
+    this.points.moved.draw(0, this.points.moved.count);
+    this.scene.add(this.cloud, this.moved, this.ways, this.earlier, this.truths, this.robot.object, this.keyframes, this.closures);
     this.ground.add(this.grid);
     this.robot.object.visible = estimate.t.length > 0;
     this.colorBy("height");
@@ -119,7 +125,7 @@ export class MapView {
 
   /** Hides what lies above `height` [m]: ceilings, trees. */
   cutAbove(height) {
-    this.points.cutAbove(height);
+    for (const points of [this.points, this.points.moved]) points.cutAbove(height);
     this.pace.moving();
   }
 
@@ -141,7 +147,7 @@ export class MapView {
 
   show(time) {
     const share = this.timeline.duration ? time / this.timeline.duration : 1;
-    this.points.showUntil(share);
+    for (const points of [this.points, this.points.moved]) points.showUntil(share);
     for (const way of [this.main, ...this.others]) way.showUntil(time);
     if (this.map.paths[0].t.length) this.panel.say(time, this.robot.moveTo(time));
     this.pace.moving();
@@ -155,7 +161,7 @@ export class MapView {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     const pixels = (height * this.renderer.getPixelRatio()) / (2 * Math.tan((kFieldOfView * Math.PI) / 360));
-    this.points.setSize(kPointSize * pixels);
+    for (const points of [this.points, this.points.moved]) points.setSize(kPointSize * pixels);
     this.pace.still();
   }
 
