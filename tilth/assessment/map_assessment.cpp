@@ -6,11 +6,13 @@
 namespace tilth {
 namespace {
 
-constexpr std::size_t kLeastCells = 3;  // that a doubled wall must fill to be told of
-constexpr double kFewDoubled = 0.012;   // share of the surfaces that may be doubled: panes, hedges
-constexpr double kThick = 0.025;        // [m] median thickness from which on all surfaces are blurred
-constexpr double kFewFlat = 0.05;       // share of the cells that hold a plane, below which all is blurred
-constexpr std::size_t kMostWalls = 3;   // that are told of
+constexpr std::size_t kLeastCells = 3;     // that a doubled wall must fill to be told of
+constexpr double kFewDoubled = 0.012;      // share of the surfaces that may be doubled: panes, hedges
+constexpr double kManyDoubled = 0.04;      // share of the surfaces above which it is told even where they are apart
+constexpr std::size_t kFewestDoubled = 5;  // cells of them
+constexpr double kThick = 0.025;           // [m] median thickness from which on all surfaces are blurred
+constexpr double kFewFlat = 0.05;          // share of the cells that hold a plane, below which all is blurred
+constexpr std::size_t kMostWalls = 3;      // that are told of
 
 std::string minute_text(double seconds) {
   char text[64];
@@ -41,6 +43,9 @@ void find_walls(std::span<const AssessedScan> scans, MapAssessment& to) {
     const double seconds = wall.scan < scans.size() ? scans[wall.scan].stamp - scans.front().stamp : 0;
     to.findings.push_back(wall_text(wall, seconds));
   }
+  const double share = double(to.doubled.doubled) / double(std::max<std::size_t>(1, to.doubled.planes));
+  if (told > 0 || share < kManyDoubled || to.doubled.doubled < kFewestDoubled) return;
+  to.findings.push_back("one wall in " + std::to_string(int(1 / share + 0.5)) + " is there twice, here and there");
 }
 
 }  // namespace
