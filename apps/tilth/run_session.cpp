@@ -8,6 +8,7 @@
 #include "threads.hpp"
 #include <tilth/io/beam_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
+#include <tilth/run/beam_pipeline.hpp>
 #include <tilth/run/new_record.hpp>
 #include <tilth/sources/beam_corrected_source.hpp>
 #include <tilth/sources/describe_source.hpp>

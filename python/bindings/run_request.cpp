@@ -7,6 +7,7 @@
 #include <tilth/io/beam_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/report/run_outputs.hpp>
+#include <tilth/run/beam_pipeline.hpp>
 #include <tilth/run/ended_run.hpp>
 #include <tilth/run/new_record.hpp>
 #include <tilth/run/session.hpp>
@@ -48,7 +49,7 @@ std::vector<RunOutput> outputs_of(const RunRequest& request) {
   if (request.out.empty()) return {};
   std::vector<RunOutput> outputs = run_outputs(output, report, request.loop_closure);
   if (with<MapOptions>(request.map).keep_moving)
-    std::erase_if(outputs, [](const RunOutput& output) { return output.file == "moving.pcd"; });
+    std::erase_if(outputs, [](const RunOutput& each) { return each.file == "moving.pcd"; });
   return outputs;
 }
 

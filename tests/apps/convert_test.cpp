@@ -108,7 +108,7 @@ TEST_F(Convert, ARunWritesItsMapInEveryFormat) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "run/map.pcd"));
   const Outcome wrong = tilth({"run", in("sim/scans.pcap"), "--out", in("run"), "--map-format", "pcd,obj"});
   EXPECT_EQ(wrong.exit_code, 1);
-  EXPECT_NE(wrong.err.find("'obj': expected pcd, ply or las"), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("'obj': expected pcd, ply, las, bt or tiles"), std::string::npos) << wrong.err;
 }
 
 }  // namespace

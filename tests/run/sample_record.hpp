@@ -1,6 +1,8 @@
 // A short run that no pipeline made.
 #pragma once
 
+#include <limits>
+
 #include <tilth/run/run_record.hpp>
 
 namespace tilth {
@@ -22,6 +24,13 @@ inline RunRecord sample_record() {
     row.stage_ms.assign(i == 0 ? 1 : 2, 7.0);
     record.scans.rows.push_back(row);
   }
+  record.beams.emplace();
+  record.beams->beams.model.range = {0.01, -0.02};
+  record.beams->beams.model.elevation = {0.0, 0.001};
+  record.beams->beams.covariance = 1e-6 * Eigen::MatrixXd::Identity(9, 9);
+  record.beams->before = {{0.003, -0.008}, 0.012};
+  record.beams->after = {{0.0, std::numeric_limits<double>::quiet_NaN()}, 0.009};
+  record.beams->windows = 3, record.beams->directions = 9, record.beams->believed = 4;
   return record;
 }
 

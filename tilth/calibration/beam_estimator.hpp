@@ -6,19 +6,12 @@
 #include <functional>
 #include <vector>
 
+#include <tilth/calibration/beam_calibration.hpp>
 #include <tilth/calibration/beam_keyframe.hpp>
 #include <tilth/calibration/beam_options.hpp>
 #include <tilth/calibration/beam_window.hpp>
-#include <tilth/core/beam_estimate.hpp>
 
 namespace tilth {
-
-struct BeamCalibration {
-  BeamEstimate beams;
-  BeamFit before, after;
-  std::size_t windows = 0, keyframes = 0, rows = 0;
-  std::size_t directions = 0, believed = 0;  ///< of the parameters' space: all, and those in which errors were found
-};
 
 using KeyframeWindows = std::vector<std::vector<BeamKeyframe>>;
 

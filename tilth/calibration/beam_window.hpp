@@ -4,10 +4,10 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include <Eigen/Core>
 
+#include <tilth/calibration/beam_calibration.hpp>
 #include <tilth/calibration/surface_weights.hpp>
 
 namespace tilth {
@@ -20,12 +20,6 @@ struct BeamWindow {
   std::size_t rows = 0;
   double thickness = 0.0;            ///< [m] median of the cells
   Eigen::VectorXd residual, weight;  ///< of each beam: [m] along the beam, weighted sum; sum of weights
-};
-
-/// How well surfaces and beams agree, at one model of the beams.
-struct BeamFit {
-  std::vector<double> residual;  ///< [m] of each beam: how long it reads, about the planes; NaN: it saw none
-  double thickness = 0.0;        ///< [m] median deviation of a surface's points from its plane
 };
 
 /// Of windows of one sensor, at least one.

@@ -32,12 +32,6 @@ std::vector<Pose> corrections(const Trajectory& before, const Trajectory& after)
 
 }  // namespace
 
-Pipeline with_beams(std::unique_ptr<Odometry> odometry, BeamLearning learning, std::optional<BeamEstimate> known) {
-  auto learner = std::make_shared<BeamLearner>(BeamCalibrationOptions{}, std::move(known));
-  auto around = std::make_unique<BeamLearningOdometry>(std::move(odometry), learner, learning);
-  return {.odometry = std::move(around), .beams = std::move(learner)};
-}
-
 Pipeline with_loop_closure(Pipeline pipeline, const SlamOptions& options) {
   auto around = std::make_unique<Slam>(std::move(pipeline.odometry), options);
   pipeline.slam = around.get();

@@ -2,22 +2,20 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 
-#include <tilth/odometry/beam_learning_odometry.hpp>
+#include <tilth/odometry/odometry.hpp>
 #include <tilth/run/run_record.hpp>
 #include <tilth/slam/slam.hpp>
 
 namespace tilth {
+
+class BeamLearner;
 
 struct Pipeline {
   std::unique_ptr<Odometry> odometry;
   Slam* slam = nullptr;                          ///< in `odometry`, with loop closure
   std::shared_ptr<BeamLearner> beams = nullptr;  ///< that learns beside it
 };
-
-/// The odometry with a calibration of the beams beside it, of scans that are corrected by `known` already.
-Pipeline with_beams(std::unique_ptr<Odometry> odometry, BeamLearning learning, std::optional<BeamEstimate> known = {});
 
 /// The same with loop closure. Throws Error on options that are wrong.
 Pipeline with_loop_closure(Pipeline pipeline, const SlamOptions& options);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tilth/calibration/beam_estimator.hpp>
+#include <tilth/calibration/beam_calibration.hpp>
 #include <tilth/core/options.hpp>
 #include <tilth/core/trajectory.hpp>
 #include <tilth/evaluation/evaluate.hpp>

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include <tilth/calibration/beam_learner.hpp>
 #include <tilth/core/error.hpp>
 #include <tilth/run/machine.hpp>
 #include <tilth/run/scan_row.hpp>
