@@ -43,12 +43,13 @@ OdometryResult BeamLearningOdometry::register_scan(const Scan& scan) {
 
 void BeamLearningOdometry::learn(const Scan& scan, const OdometryResult& result) {
   ++scans_;
-  auto window = gatherer_.take(scan, scan.cloud, result);
-  if (window && (windows_ < kAtOnce || windows_ * kScansAWindow <= scans_)) {
+  learner_->work();
+  const bool due = windows_ < kAtOnce || windows_ * kScansAWindow <= scans_;
+  if (!due && gatherer_.left_over() == 0) return;
+  if (auto window = gatherer_.take(scan, scan.cloud, result)) {
     ++windows_;
     learner_->add(std::move(*window), gatherer_.rings(), gatherer_.bright());
   }
-  learner_->work();
 }
 
 }  // namespace tilth
