@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -12,9 +11,9 @@
 #include "commands.hpp"
 #include <tilth/assessment/map_assessment.hpp>
 #include <tilth/core/error.hpp>
-#include <tilth/io/input_file.hpp>
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/trajectory_file.hpp>
+#include <tilth/run/scan_columns.hpp>
 #include <tilth/search/kdtree.hpp>
 
 namespace tilth::app {
@@ -24,68 +23,25 @@ namespace fs = std::filesystem;
 
 constexpr int kFindingsExit = 3;  // as of a run whose track was lost
 
-/// The entries of a column of a table of commas.
-std::vector<std::string> column_of(const fs::path& path, std::string_view name) {
-  const std::vector<std::byte> bytes = read_file(path);
-  std::istringstream lines{std::string(as_text(bytes))};
-  std::vector<std::string> values;
-  std::size_t wanted = 0;
-  bool known = false;
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream cells(line);
-    std::string cell;
-    if (!known) {
-      for (; std::getline(cells, cell, ',') && cell != name; ++wanted) {
-      }
-      if (cell != name)
-        throw Error(path.string(), "has no column " + std::string(name) + ": is it the table of a run?");
-      known = true;
-      continue;
-    }
-    for (std::size_t i = 0; i <= wanted; ++i) {
-      if (!std::getline(cells, cell, ','))
-        throw Error(path.string(), "has a line of too few columns: " + line.substr(0, 40));
-    }
-    values.push_back(cell);
-  }
-  return values;
-}
-
-TrackState track_of(const fs::path& path, const std::string& text) {
-  const auto names = names_of(TrackState{});
-  const auto found = std::find(names.begin(), names.end(), text);
-  if (found == names.end()) throw Error(path.string(), "has the track '" + text + "', which is no state of a track");
-  return TrackState(found - names.begin());
-}
-
 std::vector<AssessedScan> scans_of(const fs::path& folder, const Trajectory& way) {
   const fs::path table = folder / "scans.csv";
-  const std::vector<std::string> states = column_of(table, "track");
+  const std::vector<TrackState> states = read_track_states(table);
   if (states.size() != way.size()) {
     throw Error(table.string(), "has " + std::to_string(states.size()) + " rows, but the trajectory " +
                                     std::to_string(way.size()) + " poses");
   }
   std::vector<AssessedScan> scans;
-  for (std::size_t i = 0; i < way.size(); ++i) scans.push_back({way[i].stamp, track_of(table, states[i])});
+  for (std::size_t i = 0; i < way.size(); ++i) scans.push_back({way[i].stamp, states[i]});
   return scans;
 }
 
 /// The points of the map, each as if it had been seen from the nearest pose: the file does not tell from which.
 std::vector<ScannedPoint> points_of(const fs::path& path, const Trajectory& way) {
-  const PointRecords records = read_pcd(path);
-  std::array<std::vector<double>, 3> values;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::string name(1, "xyz"[axis]);
-    const PointField* field = records.find(name);
-    if (field == nullptr) throw Error(path.string(), "has no field " + name);
-    values[axis] = column(records, *field);
-  }
   std::vector<Eigen::Vector3d> places;
   for (const StampedPose& pose : way) places.push_back(pose.T_world_lidar.translation());
   const KdTree tree(places);
   std::vector<ScannedPoint> points;
-  for (std::size_t i = 0; i < records.count; ++i) {
-    const Eigen::Vector3d p(values[0][i], values[1][i], values[2][i]);
+  for (const Eigen::Vector3d& p : positions_of(read_pcd(path), path.string())) {
     if (!p.allFinite()) continue;
     const std::uint32_t nearest = tree.nearest(p)->index;
     points.push_back({p.cast<float>(), places[nearest].cast<float>(), nearest});

@@ -22,6 +22,7 @@
 #include <tilth/run/ended_run.hpp>
 #include <tilth/run/track_record.hpp>
 #include <tilth/slam/slam.hpp>
+#include <tilth/sources/beam_corrected_source.hpp>
 #include <tilth/sources/open_source.hpp>
 
 namespace tilth::app {
@@ -71,11 +72,7 @@ void require_windows(const GatheredKeyframes& gathered, const BeamCalibrationOpt
 BeamEstimate known_before(const std::optional<BeamEstimate>& file, const std::string& name,
                           const GatheredKeyframes& gathered, const BeamCalibrationOptions& options) {
   if (!file) return prior_beams(gathered.rings, gathered.bright, options);
-  const std::size_t beams = file->model.beams();
-  if (beams > 0 && gathered.rings > beams) {
-    throw Error(name, "has the errors of " + std::to_string(beams) + " beams, but the scans are of " +
-                          std::to_string(gathered.rings) + ": it is of another sensor");
-  }
+  require_beams(file->model, gathered.rings, name);
   return completed(*file, gathered.rings, options);
 }
 

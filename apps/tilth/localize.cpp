@@ -100,11 +100,12 @@ int localize_recording(const LocalizeArguments& a) {
   remember_interrupts();
   const RunEnd end = with_threads(a.run.threads, [&] { return localize(*source, localizer, how, console, record); });
   show_map(map, record);
-  for (const std::unique_ptr<Sink>& sink : sinks) sink->finish(record);
+  const std::vector<std::string> failures = finish_all(sinks, record);
   console.clear_progress();
   tell(record, a.run.out, files_of(outputs), console);
-  if (end == RunEnd::interrupted) return signal_exit_code();
-  return is_known_at_end(*record.localization) ? 0 : kTrackLostExit;
+  for (const std::string& failure : failures) console.error(failure);
+  if (!failures.empty()) return 1;
+  return exit_code_of(end, !is_known_at_end(*record.localization), a.run.session.strict);
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 // tilth map: what saved maps hold, and files of them for others.
-#include <array>
 #include <cstdio>
 #include <memory>
 
@@ -70,15 +69,7 @@ std::vector<Eigen::Vector3d> points_of(const std::string& file) {
   if (kind != ".pcd" && kind != ".ply")
     throw Error(file, "is no cloud that can be read: it must end with .pcd or .ply");
   const PointRecords records = kind == ".pcd" ? read_pcd(file) : read_ply(file);
-  std::array<std::vector<double>, 3> columns;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const PointField* field = records.find(std::string(1, "xyz"[i]));
-    if (field == nullptr) throw Error(file, std::string("has no field ") + "xyz"[i]);
-    columns[i] = column(records, *field);
-  }
-  std::vector<Eigen::Vector3d> points;
-  for (std::size_t i = 0; i < records.count; ++i) points.emplace_back(columns[0][i], columns[1][i], columns[2][i]);
-  return points;
+  return positions_of(records, file);
 }
 
 /// Places one after another have no motion between them that was measured: the graph has none either.

@@ -26,12 +26,6 @@ struct RecordingArguments {
   SourceOptions input;
 };
 
-int exit_code_of(RunEnd end, bool lost, bool strict) {
-  if (end == RunEnd::interrupted) return signal_exit_code();
-  if (end == RunEnd::bad_record || ((end == RunEnd::input_broken || lost) && strict)) return 1;
-  return lost ? kTrackLostExit : 0;
-}
-
 SavedMapPlan saved_map(const RunArguments& run, const PlannedRun& plan) {
   const auto beams = plan.beams ? std::optional(plan.beams->model) : std::nullopt;
   return {run.save_map, run.map_to_continue, plan.localize, beams};

@@ -15,6 +15,12 @@
 
 namespace tilth::app {
 
+int exit_code_of(RunEnd end, bool lost, bool strict) {
+  if (end == RunEnd::interrupted) return signal_exit_code();
+  if (end == RunEnd::bad_record || ((end == RunEnd::input_broken || lost) && strict)) return 1;
+  return lost ? kTrackLostExit : 0;
+}
+
 void add_output_flags(CLI::App& command, RunArguments& arguments) {
   add_option_flags(command, describe(MapOptions{}), arguments.map);
   add_option_flags(command, describe(OutputOptions{}), arguments.output);
@@ -54,8 +60,7 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
     add_options(describe(slam), describe(SlamOptions{}), plan.record);
     plan.pipeline = with_loop_closure(std::move(plan.pipeline), slam);
   }
-  plan.outputs = run_outputs(plan.output, plan.report, loop_closure);
-  if (map.keep_moving) std::erase_if(plan.outputs, [](const RunOutput& output) { return output.file == "moving.pcd"; });
+  plan.outputs = run_outputs(plan.output, plan.report, loop_closure, map.keep_moving);
   return plan;
 }
 

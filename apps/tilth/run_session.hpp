@@ -18,6 +18,9 @@ namespace tilth::app {
 /// Exit code of a run that came to its end, though its track was lost on the way.
 constexpr int kTrackLostExit = 3;
 
+/// Of a run that ended so; `lost`: its track was lost on the way, or its place in a map is not known at the end.
+int exit_code_of(RunEnd end, bool lost, bool strict);
+
 struct RunArguments {
   std::string source, out;
   std::string beams;            ///< beams.yaml; empty: none

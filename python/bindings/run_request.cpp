@@ -47,10 +47,7 @@ std::vector<RunOutput> outputs_of(const RunRequest& request) {
   const auto output = with<OutputOptions>(request.output);
   const auto report = with<ReportOptions>(request.report);
   if (request.out.empty()) return {};
-  std::vector<RunOutput> outputs = run_outputs(output, report, request.loop_closure);
-  if (with<MapOptions>(request.map).keep_moving)
-    std::erase_if(outputs, [](const RunOutput& each) { return each.file == "moving.pcd"; });
-  return outputs;
+  return run_outputs(output, report, request.loop_closure, with<MapOptions>(request.map).keep_moving);
 }
 
 std::optional<app::LockedFolder> folder_of(const RunRequest& request, const std::vector<RunOutput>& outputs) {

@@ -86,4 +86,10 @@ PointCloud corrected(const PointCloud& cloud, const BeamModel& beams) {
   return result;
 }
 
+Scan corrected(const Scan& scan, const BeamModel& beams) {
+  if (!scan.T_cloud_sensor) return {scan.stamp, corrected(scan.cloud, beams)};
+  const PointCloud in_sensor = transform(scan.cloud, scan.T_cloud_sensor->inverse());
+  return {scan.stamp, transform(corrected(in_sensor, beams), *scan.T_cloud_sensor), scan.T_cloud_sensor};
+}
+
 }  // namespace tilth

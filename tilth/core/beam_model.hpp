@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include <tilth/core/point_cloud.hpp>
+#include <tilth/core/scan.hpp>
 
 namespace tilth {
 
@@ -46,5 +47,8 @@ double true_range(const BeamModel& beams, std::size_t ring, double reported, dou
 /// The cloud as ideal beams would have measured it. Intensities count where the cloud has them, else every return is
 /// taken for bright. Throws Error where the cloud has no rings, or one beyond those of a list. O(points).
 PointCloud corrected(const PointCloud& cloud, const BeamModel& beams);
+
+/// The same of a scan, whose cloud may be in another frame than the sensor's own.
+Scan corrected(const Scan& scan, const BeamModel& beams);
 
 }  // namespace tilth

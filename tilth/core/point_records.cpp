@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cstring>
 
+#include <tilth/core/error.hpp>
 #include <tilth/core/point_records.hpp>
 
 namespace tilth {
@@ -47,6 +48,18 @@ std::vector<double> column(const PointRecords& records, const PointField& field)
     case FieldType::f64: read_column<double>(records, field, values); break;
   }
   return values;
+}
+
+std::vector<Eigen::Vector3d> positions_of(const PointRecords& records, const std::string& where) {
+  std::vector<Eigen::Vector3d> positions(records.count);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string name(1, "xyz"[axis]);
+    const PointField* field = records.find(name);
+    if (field == nullptr) throw Error(where, "has no field " + name);
+    const std::vector<double> values = column(records, *field);
+    for (std::size_t i = 0; i < records.count; ++i) positions[i][axis] = values[i];
+  }
+  return positions;
 }
 
 }  // namespace tilth

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace tilth {
 
 enum class FieldType : std::uint8_t { i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
@@ -33,5 +35,8 @@ struct PointRecords {
 
 /// One field of every record as double (exact for all types up to 2^53). The field must lie within the stride.
 std::vector<double> column(const PointRecords& records, const PointField& field);
+
+/// x, y and z of every record. Throws Error naming `where` and the field that is missing.
+std::vector<Eigen::Vector3d> positions_of(const PointRecords& records, const std::string& where);
 
 }  // namespace tilth

@@ -31,6 +31,16 @@ std::vector<float> fits_of(const SurfacePatches& patches, const Submap& map, con
   return fits;
 }
 
+/// Where the registration of `patches` ended: how many lie on surfaces there, and what it determines.
+PlaceFit fit_of(const AlignResult& found, const SurfacePatches& patches, const Submap& map,
+                const PlaceCheckOptions& options) {
+  PlaceFit fit{.T_map_lidar = found.T_target_source, .registered = true};
+  fit.overlap = overlap_of(patches, fit.T_map_lidar, map.fine(), weakest_axis(found.information), options.submap);
+  fit.determined = weighed_information(found.information, patches,
+                                       {options.degeneracy_ratio, options.noise, options.variance_scale});
+  return fit;
+}
+
 }  // namespace
 
 PlaceQuery place_query(SurfacePatches patches, SurfacePatches newest, const PlaceCheckOptions& options) {
@@ -74,12 +84,9 @@ PlaceFit check_place(const PlaceQuery& query, const Submap& map, const Pose& T_m
                      const PlaceCheckOptions& options) {
   const AlignResult found = register_submap(query.chosen, map, T_map_start, options.submap);
   if (!found.converged) return {.T_map_lidar = T_map_start};
-  PlaceFit fit{.T_map_lidar = found.T_target_source, .registered = true};
-  fit.overlap = overlap_of(query.chosen, fit.T_map_lidar, map.fine(), weakest_axis(found.information), options.submap);
+  PlaceFit fit = fit_of(found, query.chosen, map, options);
   fit.fits = fits_of(query.chosen, map, fit.T_map_lidar, options);
   fit.through = share_through(query.newest, map.fine(), fit.T_map_lidar, options);
-  fit.determined = weighed_information(found.information, query.chosen,
-                                       {options.degeneracy_ratio, options.noise, options.variance_scale});
   return fit;
 }
 
@@ -97,11 +104,8 @@ PlaceFit follow_place(const SurfacePatches& patches, const Submap& map, const Po
   constexpr std::size_t kLeast = 30;  // pairs; whether the last step was small enough does not matter here
   const AlignResult found = refine(patches, map, T_map_expected, options.submap);
   if (found.matches < kLeast) return {.T_map_lidar = T_map_expected};
-  PlaceFit fit{.T_map_lidar = found.T_target_source, .registered = true};
-  fit.overlap = overlap_of(patches, fit.T_map_lidar, map.fine(), weakest_axis(found.information), options.submap);
+  PlaceFit fit = fit_of(found, patches, map, options);
   fit.through = share_through(patches, map.fine(), fit.T_map_lidar, options);
-  fit.determined = weighed_information(found.information, patches,
-                                       {options.degeneracy_ratio, options.noise, options.variance_scale});
   return fit;
 }
 

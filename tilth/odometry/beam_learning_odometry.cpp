@@ -14,17 +14,6 @@ bool correctable(const PointCloud& cloud, const BeamModel& beams) {
   return *std::max_element(cloud.rings.begin(), cloud.rings.end()) < beams.beams();
 }
 
-Scan corrected(const Scan& scan, const BeamModel& beams) {
-  Scan result = scan;
-  if (scan.T_cloud_sensor) {
-    const PointCloud in_sensor = transform(scan.cloud, scan.T_cloud_sensor->inverse());
-    result.cloud = transform(corrected(in_sensor, beams), *scan.T_cloud_sensor);
-  } else {
-    result.cloud = corrected(scan.cloud, beams);
-  }
-  return result;
-}
-
 }  // namespace
 
 BeamLearningOdometry::BeamLearningOdometry(std::unique_ptr<Odometry> odometry, std::shared_ptr<BeamLearner> learner,
@@ -35,7 +24,8 @@ BeamLearningOdometry::BeamLearningOdometry(std::unique_ptr<Odometry> odometry, s
 
 OdometryResult BeamLearningOdometry::register_scan(const Scan& scan) {
   const bool correct = learning_ == BeamLearning::correct && correctable(scan.cloud, learner_->beams());
-  OdometryResult result = odometry_->register_scan(correct ? corrected(scan, learner_->beams()) : scan);
+  OdometryResult result =
+      correct ? odometry_->register_scan(corrected(scan, learner_->beams())) : odometry_->register_scan(scan);
   begin_stage("beams");
   learn(scan, result);
   return result;

@@ -7,7 +7,8 @@
 
 namespace tilth {
 
-std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOptions& report, bool loop_closure) {
+std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOptions& report, bool loop_closure,
+                                   bool keep_moving) {
   using Path = std::filesystem::path;
   std::vector<RunOutput> all{{"trajectory.tum", tum_sink},
                              {"trajectory_kitti.txt", kitti_sink},
@@ -26,7 +27,7 @@ std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOpt
     const int edge = options.tile;
     all.push_back({"pointcloud_map_metadata.yaml", [edge](const Path& path) { return tile_sink(path, edge); }});
   }
-  all.push_back({"moving.pcd", moving_sink});
+  if (!keep_moving) all.push_back({"moving.pcd", moving_sink});
   all.push_back({"report.html", [report](const Path& path) { return report_sink(path, report); }});
   if (options.grid) {
     const auto plan = std::make_shared<PlanOfRun>(options.occupancy);

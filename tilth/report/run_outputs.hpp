@@ -18,7 +18,9 @@ struct RunOutput {
   std::function<std::unique_ptr<Sink>(const std::filesystem::path& path)> open;
 };
 
-/// Every file that the options ask for, with loop closure or without. Throws Error as map_formats.
-std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOptions& report, bool loop_closure);
+/// Every file that the options ask for, with loop closure or without; where moving points stay in the map there is no
+/// file of them. Throws Error as map_formats.
+std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOptions& report, bool loop_closure,
+                                   bool keep_moving = false);
 
 }  // namespace tilth

@@ -77,21 +77,34 @@ class LocalizationLoop {
   bool begins_ = true;
 };
 
+/// The next scan; nothing at the end, and where the input breaks off, which the record then says.
+std::optional<Scan> next_scan(ScanSource& source, std::size_t number, RunRecord& record, bool& broken) {
+  try {
+    return source.next();
+  } catch (const std::exception& e) {
+    record.skipped.push_back({number, "input", e.what()});
+    broken = true;
+    return std::nullopt;
+  }
+}
+
 RunEnd run_through(ScanSource& source, const LocalizationRunOptions& options, LocalizationLoop& loop,
                    RunObserver& observer, RunRecord& record) {
   const SessionOptions& session = options.session;
   for (std::size_t read = 0; session.max_scans == 0 || read < session.max_scans; ++read) {
     if (session.interrupted && session.interrupted()) return RunEnd::interrupted;
     const Stopwatch reading;
-    const std::optional<Scan> scan = source.next();
+    bool broken = false;
+    const std::optional<Scan> scan = next_scan(source, read, record, broken);
     if (session.strict && !source.skipped().empty()) return RunEnd::bad_record;
-    if (!scan) return RunEnd::end_of_input;
+    if (!scan) return broken ? RunEnd::input_broken : RunEnd::end_of_input;
     if (read == 0) record.decisions = source.decisions();
     if (options.restart_every > 0 && read > 0 && read % options.restart_every == 0) loop.forget();
     try {
       loop.add(*scan, reading.milliseconds());
     } catch (const UnusableScan& e) {
       record.skipped.push_back({read, "scan " + std::to_string(read), e.what()});
+      if (session.strict) return RunEnd::bad_record;
     }
     observer.progress(read + 1, source.size());
   }

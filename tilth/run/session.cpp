@@ -46,15 +46,7 @@ RunEnd Session::run(const SessionOptions& options) {
 }
 
 std::vector<std::string> Session::finish() {
-  std::vector<std::string> failures;
-  for (const std::unique_ptr<Sink>& sink : sinks_) {
-    try {
-      sink->finish(record_);
-    } catch (const std::exception& e) {
-      failures.emplace_back(e.what());
-    }
-  }
-  return failures;
+  return finish_all(sinks_, record_);
 }
 
 RunEnd Session::register_scans(const SessionOptions& options) {

@@ -1,3 +1,4 @@
+#include <exception>
 #include <utility>
 
 #include <tilth/run/sink.hpp>
@@ -20,6 +21,18 @@ class FileSink final : public Sink {
 }  // namespace
 
 void Sink::take(const Scan&, const OdometryResult&, const RunRecord&) {}
+
+std::vector<std::string> finish_all(std::span<const std::unique_ptr<Sink>> sinks, const RunRecord& record) {
+  std::vector<std::string> failures;
+  for (const std::unique_ptr<Sink>& sink : sinks) {
+    try {
+      sink->finish(record);
+    } catch (const std::exception& e) {
+      failures.emplace_back(e.what());
+    }
+  }
+  return failures;
+}
 
 std::unique_ptr<Sink> file_sink(std::filesystem::path path, Write write) {
   return std::make_unique<FileSink>(std::move(path), std::move(write));

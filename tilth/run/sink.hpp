@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 namespace tilth {
 
@@ -22,6 +25,10 @@ class Sink {
   /// The run is over, `record` stays as it is. Throws Error naming what could not be written.
   virtual void finish(const RunRecord& record) = 0;
 };
+
+/// Finishes all of them; one that fails does not keep the others from it. What went wrong, one sentence a sink.
+[[nodiscard]] std::vector<std::string> finish_all(std::span<const std::unique_ptr<Sink>> sinks,
+                                                  const RunRecord& record);
 
 /// A file that is written when the run is over, by `write`.
 std::unique_ptr<Sink> file_sink(std::filesystem::path path,

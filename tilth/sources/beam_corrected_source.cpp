@@ -10,6 +10,10 @@
 namespace tilth {
 namespace {
 
+std::string has_errors_of(std::size_t beams) {
+  return "has the errors of " + std::to_string(beams) + " beams";
+}
+
 class BeamCorrectedSource : public ScanSource {
  public:
   BeamCorrectedSource(std::unique_ptr<ScanSource> source, BeamModel beams, std::string file)
@@ -26,8 +30,9 @@ class BeamCorrectedSource : public ScanSource {
       throw;
     }
     take_over();
-    if (scan && !scan->cloud.empty()) correct(*scan);
-    return scan;
+    if (!scan || scan->cloud.empty()) return scan;
+    check(scan->cloud);
+    return corrected(*scan, beams_);
   }
 
   std::optional<std::size_t> size() const override { return source_->size(); }
@@ -46,22 +51,11 @@ class BeamCorrectedSource : public ScanSource {
     for (std::size_t i = skipped_.size(); i < source_->skipped().size(); ++i) skipped_.push_back(source_->skipped()[i]);
   }
 
-  void correct(Scan& scan) const {
-    check(scan.cloud);
-    if (scan.T_cloud_sensor) {
-      const PointCloud in_sensor = transform(scan.cloud, scan.T_cloud_sensor->inverse());
-      scan.cloud = transform(corrected(in_sensor, beams_), *scan.T_cloud_sensor);
-    } else {
-      scan.cloud = corrected(scan.cloud, beams_);
-    }
-  }
-
   void check(const PointCloud& cloud) const {
-    const std::string has = "has the errors of " + std::to_string(beams_.beams()) + " beams";
-    if (!cloud.has_rings()) throw Error(file_, has + ", but the scans have no rings that tell their beams apart");
-    const std::size_t rings = std::size_t{1} + *std::max_element(cloud.rings.begin(), cloud.rings.end());
-    if (beams_.beams() > 0 && rings > beams_.beams())
-      throw Error(file_, has + ", but the scans are of " + std::to_string(rings) + ": it is of another sensor");
+    if (!cloud.has_rings()) {
+      throw Error(file_, has_errors_of(beams_.beams()) + ", but the scans have no rings that tell their beams apart");
+    }
+    require_beams(beams_, std::size_t{1} + *std::max_element(cloud.rings.begin(), cloud.rings.end()), file_);
   }
 
   std::unique_ptr<ScanSource> source_;
@@ -76,6 +70,12 @@ double largest(const std::vector<double>& errors) {
 }
 
 }  // namespace
+
+void require_beams(const BeamModel& beams, std::size_t rings, const std::string& file) {
+  if (beams.beams() == 0 || rings <= beams.beams()) return;
+  throw Error(file, has_errors_of(beams.beams()) + ", but the scans are of " + std::to_string(rings) +
+                        ": it is of another sensor");
+}
 
 std::unique_ptr<ScanSource> beam_corrected_source(std::unique_ptr<ScanSource> source, BeamModel beams,
                                                   std::string file) {
