@@ -10,6 +10,11 @@ target_compile_options(
 # Appended where no figure depends on the speed: in tests, and in rooms that no point of a scan passes through.
 set(TILTH_QUICKLY_COMPILED $<$<CONFIG:Release>:-O1>)
 
+# Of x86's instruction sets the baseline, AVX2 and AVX-512 are compiled, those between them gain nothing here; of Arm's NEON,
+# as vectors whose length is not known when they are compiled (SVE) cannot be kept in structs.
+set(TILTH_INSTRUCTION_SETS
+    "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3_DL|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+
 find_program(TILTH_CCACHE ccache)
 if(TILTH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${TILTH_CCACHE})

@@ -19,9 +19,9 @@ inline std::span<const std::string_view> names_of(TrackState) {
 }
 
 /// Why a track is not `tracking`.
-enum class TrackReason { none, too_few_matches, poor_fit, jump, long_gap, ambiguous, new_map };
+enum class TrackReason { none, too_few_matches, poor_fit, jump, long_gap, ambiguous, new_map, joined };
 inline std::span<const std::string_view> names_of(TrackReason) {
-  static constexpr std::array<std::string_view, 7> names{
+  static constexpr std::array<std::string_view, 8> names{
       "",
       "too little of the scan is found in the map",
       "the scan does not fit the map",
@@ -29,6 +29,7 @@ inline std::span<const std::string_view> names_of(TrackReason) {
       "no scans for too long",
       "several motions fit alike",
       "registered to a map that was begun after the loss",
+      "the map begun after the loss was joined to the one before it",
   };
   return names;
 }

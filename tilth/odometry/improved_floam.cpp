@@ -39,8 +39,13 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   const FeatureScan measured{joined(features.edges, features.planes), scan.stamp + middle, middle};
   const Registration found = find(measured);
   begin_stage("map");
-  result.ambiguous = ambiguous_, result.relative = relative_, result.in_map = belongs_in_map(found.alignment);
-  if (result.in_map) insert(std::move(patches), measured, found);
+  result.ambiguous = ambiguous_, result.relative = relative_,
+  result.in_map = belongs_in_map(found.alignment, measured.stamp);
+  if (result.in_map) {
+    insert(std::move(patches), measured, found);
+  } else {
+    usual_.doubt();
+  }
 
   result.stamp = measured.stamp;
   result.alignment = found.alignment;
@@ -50,8 +55,9 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   return result;
 }
 
-bool ImprovedFloam::belongs_in_map(const AlignResult& alignment) const {
-  return motion_.updates() == 0 ? alignment.converged : !ambiguous_ && !usual_.is_poor(alignment);
+bool ImprovedFloam::belongs_in_map(const AlignResult& alignment, double stamp) const {
+  if (motion_.updates() == 0) return alignment.converged;
+  return !ambiguous_ && !usual_.is_poor(alignment, stamp - motion_.last_time());
 }
 
 void ImprovedFloam::insert(SurfacePatches patches, const FeatureScan& scan, const Registration& registration) {

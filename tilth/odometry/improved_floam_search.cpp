@@ -25,7 +25,7 @@ ImprovedFloam::Registration ImprovedFloam::find(const FeatureScan& scan) {
   } else if (usual_.is_doubtful(found.alignment, interval)) {
     found = search(scan, found);
   }
-  if (interval < kMapGivenUp || belongs_in_map(found.alignment)) return found;
+  if (interval < kMapGivenUp || belongs_in_map(found.alignment, scan.stamp)) return found;
   begin_anew(scan.stamp);
   return register_scan_from(scan, motion_.predict(scan.stamp));
 }

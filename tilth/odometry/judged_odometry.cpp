@@ -4,10 +4,7 @@
 #include <tilth/odometry/judged_odometry.hpp>
 
 namespace tilth {
-namespace {
 
-/// [rad^2, m^2] of a pose after `time` [s] of which nothing is known: by the accelerations that a robot has at times,
-/// later by its speed.
 Matrix6d drift_after(double time) {
   constexpr double kAcceleration = 3.0, kSpeed = 10.0;       // [m/s^2] [m/s]
   constexpr double kAngularAcceleration = 3.0, kTurn = 1.0;  // [rad/s^2] [rad/s]
@@ -18,8 +15,6 @@ Matrix6d drift_after(double time) {
   sigma << Eigen::Vector3d::Constant(rotation), Eigen::Vector3d::Constant(translation);
   return sigma.cwiseAbs2().asDiagonal();
 }
-
-}  // namespace
 
 JudgedOdometry::JudgedOdometry(std::unique_ptr<Odometry> odometry) : odometry_(std::move(odometry)) {
   odometry_->listen([this](std::string_view stage) { begin_stage(stage); });

@@ -8,6 +8,10 @@
 
 namespace tilth {
 
+/// [rad^2, m^2] of a pose after `time` [s] of which nothing is known: by the accelerations that a robot has at times,
+/// later by its speed.
+Matrix6d drift_after(double time);
+
 class JudgedOdometry : public Odometry {
  public:
   explicit JudgedOdometry(std::unique_ptr<Odometry> odometry);

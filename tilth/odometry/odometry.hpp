@@ -37,6 +37,11 @@ struct OdometryResult {
   PointCloud filtered;                      ///< the scan without outliers, as measured (not deskewed)
 };
 
+/// Whether it is the first of a map that was begun after a loss: nothing tells how the robot came there.
+inline bool begins_map(const OdometryResult& result) {
+  return result.relative && result.alignment.converged && result.alignment.matches == 0;
+}
+
 /// Called with the name of each stage as it begins ("neighbors", "outliers", ...), so that a caller can time them.
 using StageListener = std::function<void(std::string_view stage)>;
 

@@ -21,8 +21,12 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   const ContinuousTimeAlignment alignment = align(patches, prior);
   begin_stage("map");
   const Matrix6d covariance = covariance_of(alignment, patches.time());
-  const bool in_map = belongs_in_map(alignment);
-  if (in_map) insert(patches, alignment);
+  const bool in_map = belongs_in_map(alignment, prior.interval);
+  if (in_map) {
+    insert(patches, alignment);
+  } else {
+    usual_.doubt();
+  }
   if (world_.is_due(patches.time())) reanchor();
 
   OdometryResult result = result_of(alignment, patches);
@@ -49,10 +53,10 @@ Matrix6d TilthOdometry::covariance_of(const ContinuousTimeAlignment& alignment, 
   return since_first + to_lidar * first.asDiagonal() * to_lidar.transpose();
 }
 
-bool TilthOdometry::belongs_in_map(const ContinuousTimeAlignment& alignment) const {
+bool TilthOdometry::belongs_in_map(const ContinuousTimeAlignment& alignment, double interval) const {
   if (world_.empty()) return alignment.pose.converged;
   return alignment.pose.matches >= std::size_t(options_.align.min_matches) && !ambiguous_ &&
-         !usual_.is_poor(alignment.pose);
+         !usual_.is_poor(alignment.pose, interval);
 }
 
 void TilthOdometry::insert(const ScanPatches& scan, const ContinuousTimeAlignment& alignment) {

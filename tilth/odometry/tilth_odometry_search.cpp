@@ -25,7 +25,7 @@ ContinuousTimeAlignment TilthOdometry::align(const ScanPatches& scan, const Moti
     const bool second = world_.awaits_second();
     ContinuousTimeAlignment found = second ? align_second(scan, prior) : align_to_map(scan, prior);
     if (!second && usual_.is_doubtful(found.pose, prior.interval)) found = search(scan, prior, found);
-    if (!enough || prior.interval < kMapGivenUp || belongs_in_map(found)) return found;
+    if (!enough || prior.interval < kMapGivenUp || belongs_in_map(found, prior.interval)) return found;
     begin_anew(predicted(prior));
   }
   if (!enough) return align_to_map(scan, prior);

@@ -24,8 +24,11 @@ Track TrackJudge::judge(const OdometryResult& result) {
   track_ = reason == TrackReason::none ? believed(interval) : doubted(reason, result, interval);
   const Vector6d velocity = velocity_to(result, interval);
   last_ = {result.stamp, result.T_world_lidar, velocity};
+  if (begins_map(result)) usual_ = {};
+  const bool fits = reason == TrackReason::none || reason == TrackReason::new_map;
+  if (!fits) usual_.doubt();
+  if (fits && result.alignment.matches > 0) usual_.add(result.alignment, interval);
   if (reason != TrackReason::none) return track_;
-  if (!begins) usual_.add(result.alignment, interval);
   sizes_.add(double(std::max<std::size_t>(1, result.alignment.candidates)));
   return track_;
 }
@@ -33,11 +36,12 @@ Track TrackJudge::judge(const OdometryResult& result) {
 TrackReason TrackJudge::doubt(const OdometryResult& result, double interval) const {
   const AlignResult& alignment = result.alignment;
   if (sizes_.value() == 0) return alignment.converged ? TrackReason::none : TrackReason::too_few_matches;
-  if (result.relative) return TrackReason::new_map;
+  if (begins_map(result)) return TrackReason::new_map;
   if (usual_.is_unmatched(alignment)) return TrackReason::too_few_matches;
   if (result.ambiguous) return TrackReason::ambiguous;
-  if (usual_.is_poor(alignment)) return TrackReason::poor_fit;
+  if (usual_.is_poor(alignment, result.relative ? interval : unknown_ + interval)) return TrackReason::poor_fit;
   if (recent_.size() >= kSome && std::max(recent_.value(), fit_of(alignment)) < kLeastFit) return TrackReason::poor_fit;
+  if (result.relative) return TrackReason::new_map;
   if (since_doubt_ < kStart || !(interval > 0)) return TrackReason::none;
   const Vector6d change = (velocity_to(result, interval) - last_.velocity) / interval;
   const bool leaps = change.head<3>().norm() > kTurnLeap || change.tail<3>().norm() > kLeap;

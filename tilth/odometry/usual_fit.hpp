@@ -1,6 +1,8 @@
 // How much of a scan agrees with the map it was registered to, and how much usually does.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -45,7 +47,11 @@ class UsualFit {
   void add(const AlignResult& alignment, double interval) {
     fits_.add(fit_of(alignment));
     intervals_.add(interval);
+    in_doubt_ = false;
   }
+
+  /// A scan that was not believed.
+  void doubt() { in_doubt_ = true; }
 
   /// Of the usual fit; 1 before any.
   double ratio(const AlignResult& alignment) const {
@@ -60,10 +66,16 @@ class UsualFit {
     return alignment.matches < kFewMatches || fit_of(alignment) < kLeastFit;
   }
 
-  /// Whether the scan lies somewhere else than where it was put.
-  bool is_poor(const AlignResult& alignment) const {
+  /// Whether the scan, which comes `interval` [s] after the last one that was believed, lies somewhere else than where
+  /// it was put. What comes after a doubt, or after a time of which nothing is known, must fit better than what
+  /// follows a scan that fitted: another room of the same building fits by half.
+  bool is_poor(const AlignResult& alignment, double interval) const {
     constexpr double kPoorRatio = 0.56;  // good runs: 0.57 at least, of scans to keyframes after scans to scans
-    return is_unmatched(alignment) || ratio(alignment) < kPoorRatio;
+    constexpr double kSureRatio = 0.8;   // other rooms of one building reach 0.7
+    constexpr double kKnown = 0.5, kUnknown = 1.5;  // [s] more than usual
+    const double late = (interval - intervals_.value() - kKnown) / (kUnknown - kKnown);
+    const double least = std::lerp(kPoorRatio, kSureRatio, in_doubt_ ? 1.0 : std::clamp(late, 0.0, 1.0));
+    return is_unmatched(alignment) || ratio(alignment) < least;
   }
 
   /// Whether a scan so long after the last one that was believed should be tried elsewhere, too.
@@ -76,6 +88,7 @@ class UsualFit {
  private:
   static constexpr std::size_t kScans = 21;
   RunningMedian fits_{kScans}, intervals_{kScans};
+  bool in_doubt_ = false;
 };
 
 }  // namespace tilth

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tilth {
@@ -38,6 +39,12 @@ struct Band {
   double low = 0.0, high = 0.0;
 };
 
+/// Vertical strips of a plot: stretches of x in which its curves are not to be believed.
+struct Alarm {
+  std::string name;
+  std::vector<std::pair<double, double>> spans;  ///< from, to
+};
+
 struct Plot {
   std::string id;           ///< of lower case letters, digits and '_': the name of its file
   std::string title, note;  ///< the note says how to read it; may be empty
@@ -50,6 +57,7 @@ struct Plot {
   std::optional<Curve> dots;   ///< of a path: points over it
   std::vector<Mark> marks;
   std::optional<Band> band;
+  std::optional<Alarm> alarm;
 };
 
 }  // namespace tilth

@@ -88,6 +88,14 @@ void draw_bars(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
   }
 }
 
+/// As wide as a pixel at least, so that a single scan is seen.
+void draw_alarm(SvgCanvas& canvas, const SvgFrame& frame, const Alarm& alarm) {
+  for (const auto& [from, to] : alarm.spans) {
+    const double left = std::max(frame.left, frame.x(from) - 0.5), right = std::min(frame.right, frame.x(to) + 0.5);
+    canvas.box({left, frame.bottom}, {right, frame.top}, "alarm");
+  }
+}
+
 void draw_histogram(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
   for (const Curve& curve : plot.curves) {
     for (std::size_t i = 0; i < curve.y.size(); ++i) {
@@ -117,6 +125,7 @@ std::string shade_color(double ratio) {
 
 void draw_content(SvgCanvas& canvas, const SvgFrame& frame, const Plot& plot) {
   if (plot.band) canvas.box({frame.left, frame.y(plot.band->low)}, {frame.right, frame.y(plot.band->high)}, "band");
+  if (plot.alarm) draw_alarm(canvas, frame, *plot.alarm);
   switch (plot.kind) {
     case PlotKind::lines: draw_lines(canvas, frame, plot); break;
     case PlotKind::path: draw_path(canvas, frame, plot); break;

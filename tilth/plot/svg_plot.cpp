@@ -27,6 +27,7 @@ std::vector<LegendEntry> entries_of(const Plot& plot) {
     entries.push_back({plot.marks[m].name, "mark m" + std::to_string(m % 4), {}});
   }
   if (plot.band) entries.push_back({plot.band->name, "bandline", {}});
+  if (plot.alarm) entries.push_back({plot.alarm->name, "alarmline", {}});
   if (plot.dots && !plot.dots->y.empty()) entries.push_back({plot.dots->name, "landmarks", {}});
   if (plot.links && !plot.links->y.empty()) entries.push_back({plot.links->name, "link", {}});
   return entries;

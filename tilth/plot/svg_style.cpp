@@ -18,6 +18,7 @@ text { font: 12px Helvetica, Arial, sans-serif; fill: #333 }
 .curve.s0, .curve.s1, .curve.s2, .curve.s3, .curve.s4, .curve.s5, .curve.s6, .curve.s7 { fill: none }
 .truth { stroke: #b4b0a6; stroke-width: 3.5 }
 .band { fill: #0072b2; fill-opacity: 0.12 } .bandline { stroke: #0072b2; stroke-opacity: 0.3; stroke-width: 9 }
+.alarm { fill: #d32f2f; fill-opacity: 0.16 } .alarmline { stroke: #d32f2f; stroke-opacity: 0.35; stroke-width: 9 }
 .mark { stroke-width: 1.2 } .m0 { stroke: #d55e00 } .m1 { stroke: #009e73; stroke-dasharray: 6 3 }
 .m2 { stroke: #333; stroke-dasharray: 2 3 } .m3 { stroke: #cc79a7; stroke-dasharray: 8 3 2 3 }
 .box { fill-opacity: 0.35; stroke-width: 1 } .bar { fill-opacity: 0.75; stroke-width: 0.5 }

@@ -86,6 +86,7 @@ Json plot_json(const Plot& plot, Arrays& arrays) {
   for (const auto& [name, places] : {std::pair("links", &plot.links), std::pair("dots", &plot.dots)}) {
     if (*places) json[name] = places_json(**places, arrays);
   }
+  if (plot.alarm) json["alarm"] = {{"name", plot.alarm->name}, {"spans", plot.alarm->spans}};
   if (plot.band) json["band"] = {{"name", plot.band->name}, {"low", plot.band->low}, {"high", plot.band->high}};
   return json;
 }

@@ -53,6 +53,20 @@ void add_loops(const LoopRecord& loops, MapView& map) {
   map.closures = accepted_scans(loops);
 }
 
+/// Where the track was lost, in every plot over time.
+void mark_losses(const ScanTable& scans, std::vector<Section>& sections) {
+  Alarm lost{"track lost", {}};
+  for (const TrackInterval& interval : track_intervals(scans)) {
+    if (interval.track.state != TrackState::lost) continue;
+    lost.spans.emplace_back(interval.from - scans.rows.front().stamp, interval.to - scans.rows.front().stamp);
+  }
+  if (lost.spans.empty()) return;
+  for (Section& section : sections) {
+    for (Plot& plot : section.plots)
+      if (plot.over_time) plot.alarm = lost;
+  }
+}
+
 }  // namespace
 
 Report report_of(const RunRecord& record, std::size_t map_points) {
@@ -77,6 +91,7 @@ Report report_of(const RunRecord& record, std::size_t map_points) {
   for (const auto& section : {quality_section, time_section, registration_section, confidence_section, setup_section}) {
     report.sections.push_back(section(record));
   }
+  mark_losses(record.scans, report.sections);
   return report;
 }
 

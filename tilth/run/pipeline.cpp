@@ -1,3 +1,6 @@
+#include <utility>
+
+#include <tilth/localization/join_pieces.hpp>
 #include <tilth/run/pipeline.hpp>
 #include <tilth/run/stopwatch.hpp>
 
@@ -30,6 +33,18 @@ std::vector<Pose> corrections(const Trajectory& before, const Trajectory& after)
   return T_after_before;
 }
 
+/// What was right only relative to itself is right again, as the one scan says that stands for "found again".
+void believe_joined(const Slam& slam, ScanTable& scans) {
+  for (const auto& [first, last] : slam.joined_scans()) {
+    bool found = false;
+    for (std::size_t i = first; i < last; ++i) {
+      Track& track = scans.rows[i].track;
+      if (track.state != TrackState::lost || track.reason != TrackReason::new_map) continue;
+      track = std::exchange(found, true) ? Track{} : Track{TrackState::recovered, TrackReason::joined};
+    }
+  }
+}
+
 }  // namespace
 
 Pipeline with_loop_closure(Pipeline pipeline, const SlamOptions& options) {
@@ -42,12 +57,14 @@ Pipeline with_loop_closure(Pipeline pipeline, const SlamOptions& options) {
 void close_loops(Slam& slam, RunRecord& record) {
   const Stopwatch stopwatch;
   slam.finish();
+  join_pieces(slam, {});
   LoopRecord loops{.odometry = record.trajectory, .graph = slam.loops().graph()};
   for (const Keyframe& keyframe : slam.loops().keyframes()) loops.keyframe_scans.push_back(keyframe.scan);
   for (const LoopClosure& closure : slam.loops().closures())
     loops.closures.push_back(row_of(closure, slam.loops().keyframes()));
   loops.optimizations = slam.loops().optimizations();
   record.trajectory = slam.trajectory();
+  believe_joined(slam, record.scans);
   record.map.move(corrections(loops.odometry, record.trajectory));
   loops.finish_ms = stopwatch.milliseconds();
   record.loops = std::move(loops);

@@ -28,9 +28,10 @@ void visit(KeyframeOptions& o, V&& v) {
 }
 
 struct Keyframe {
-  std::size_t scan = 0;                        ///< number among the registered scans
-  double stamp = 0.0;                          ///< [s]
-  double path = 0.0;                           ///< [m] travelled up to here
+  std::size_t scan = 0;  ///< number among the registered scans
+  double stamp = 0.0;    ///< [s]
+  double path = 0.0;     ///< [m] travelled up to here
+  bool severed = false;  ///< the motion since the keyframe before is not known: the track was lost in between
   Pose T_odometry_lidar = Pose::Identity();    ///< by odometry alone
   Matrix6d covariance = Matrix6d::Identity();  ///< [rad^2, m^2] of the motion since the keyframe before
   SurfacePatches patches = {};                 ///< in the LiDAR frame at `stamp`

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <queue>
 
+#include <tilth/slam/graph_pieces.hpp>
 #include <tilth/slam/loop_closer.hpp>
 
 namespace tilth {
@@ -12,7 +13,8 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kWorthOptimizing = 1.0;  // [sigma^2] that an accepted closure and the graph differ by
 
-// [m] of odometry on the shortest way from the newest keyframe to each, closures taken as no way at all (Dijkstra).
+// [m] of odometry on the shortest way from the newest keyframe to each, closures taken as no way at all (Dijkstra);
+// infinite where a loss lies in between.
 std::vector<double> paths_to(const std::vector<Keyframe>& keyframes, const std::vector<LoopClosure>& closures) {
   std::vector<std::vector<std::size_t>> joined(keyframes.size());
   for (const LoopClosure& closure : closures) {
@@ -30,8 +32,9 @@ std::vector<double> paths_to(const std::vector<Keyframe>& keyframes, const std::
     const auto [path, i] = open.top();
     open.pop();
     if (path > paths[i]) continue;
-    if (i > 0) reach(path + keyframes[i].path - keyframes[i - 1].path, i - 1);
-    if (i + 1 < keyframes.size()) reach(path + keyframes[i + 1].path - keyframes[i].path, i + 1);
+    if (i > 0 && !keyframes[i].severed) reach(path + keyframes[i].path - keyframes[i - 1].path, i - 1);
+    if (i + 1 < keyframes.size() && !keyframes[i + 1].severed)
+      reach(path + keyframes[i + 1].path - keyframes[i].path, i + 1);
     for (const std::size_t other : joined[i]) reach(path, other);
   }
   return paths;
@@ -62,6 +65,12 @@ void LoopCloser::add(Keyframe keyframe, const std::function<void(std::string_vie
   });
   if (!worth) return;
   begin_stage("pose_graph");
+  optimize();
+}
+
+void LoopCloser::join_pieces(const std::vector<Constraint>& ties) {
+  for (const Constraint& tie : ties)
+    closures_.push_back({.constraint = tie, .found_by = FoundBy::map, .verdict = Verdict::accepted});
   optimize();
 }
 
@@ -121,7 +130,9 @@ std::vector<Expectation> LoopCloser::expectations() const {
 
 Submap LoopCloser::submap(std::size_t center, std::size_t first, std::size_t last) const {
   SurfacePatches patches;
+  const std::vector<std::size_t> pieces = pieces_of(keyframes_);
   for (std::size_t i = first; i <= std::min(last, keyframes_.size() - 1); ++i) {
+    if (pieces[i] != pieces[center]) continue;
     const SurfacePatches more = moved(keyframes_[i].patches, poses_[center].inverse() * poses_[i]);
     patches.insert(patches.end(), more.begin(), more.end());
   }
@@ -146,7 +157,33 @@ PoseGraph LoopCloser::graph() const {
   return graph;
 }
 
+std::vector<bool> LoopCloser::joined() const {
+  std::vector<std::size_t> pieces = pieces_of(keyframes_);
+  for (const LoopClosure& c : closures_)
+    if (c.verdict == Verdict::accepted) join(pieces, c.constraint.from, c.constraint.to);
+  std::vector<bool> joined(pieces.size());
+  std::transform(pieces.begin(), pieces.end(), joined.begin(), [](std::size_t piece) { return piece == 0; });
+  return joined;
+}
+
+// The optimisation starts from pieces that lie as the first closure between two of them says: nothing else does.
+void LoopCloser::bring_together() {
+  std::vector<std::size_t> pieces = pieces_of(keyframes_);
+  for (const LoopClosure& closure : closures_) {
+    const auto& [from, to, T_from_to, information, is_closure] = closure.constraint;
+    if (closure.verdict != Verdict::accepted || pieces[from] == pieces[to]) continue;
+    const Pose T_there_here = poses_[from] * T_from_to * poses_[to].inverse();
+    const bool first_stays = pieces[to] != 0;  // the first keyframe is the world
+    const std::size_t moves = first_stays ? pieces[to] : pieces[from];
+    const Pose motion = first_stays ? T_there_here : T_there_here.inverse();
+    for (std::size_t i = 0; i < poses_.size(); ++i)
+      if (pieces[i] == moves) poses_[i] = normalized(motion * poses_[i]);
+    join(pieces, from, to);
+  }
+}
+
 void LoopCloser::optimize() {
+  bring_together();
   while (true) {
     poses_ = tilth::optimize(graph(), options_.graph).poses;
     ++optimizations_;

@@ -85,6 +85,9 @@ class LoopCloser {
   /// Adds the next keyframe and closes what loops it closes. `begin_stage` is told what is being done.
   void add(Keyframe keyframe, const std::function<void(std::string_view)>& begin_stage);
 
+  /// Takes `ties` in as closures, which say where maps that were begun after a loss lie in earlier ones, and optimises.
+  void join_pieces(const std::vector<Constraint>& ties);
+
   /// Optimises the graph with all accepted closures. Those that it leaves too large an error are voted out one by one.
   void optimize();
 
@@ -94,12 +97,17 @@ class LoopCloser {
   PoseGraph graph() const;                                                ///< at poses(), with accepted closures
   int optimizations() const { return optimizations_; }
 
+  /// Of each keyframe whether what is known of the motion joins it to the first one: all, but for those after a loss
+  /// that no closure was found for.
+  std::vector<bool> joined() const;
+
  private:
   std::vector<Expectation> expectations() const;
   Submap submap(std::size_t center, std::size_t first, std::size_t last) const;
   bool verify_all(const std::vector<LoopCandidate>& candidates, const std::vector<Expectation>& expected,
                   const Submap& newest);
   bool confirm(LoopClosure& closure);
+  void bring_together();
   Constraint odometry_constraint(std::size_t to) const;
 
   LoopClosingOptions options_;

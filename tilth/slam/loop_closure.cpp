@@ -78,7 +78,7 @@ std::span<const std::string_view> names_of(Verdict) {
 }
 
 std::span<const std::string_view> names_of(FoundBy) {
-  static constexpr std::array<std::string_view, 2> names{"radius", "context"};
+  static constexpr std::array<std::string_view, 3> names{"radius", "context", "map"};
   return names;
 }
 

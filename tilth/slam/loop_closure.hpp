@@ -57,7 +57,7 @@ enum class Verdict {
 };
 std::span<const std::string_view> names_of(Verdict);
 
-enum class FoundBy { radius, context };
+enum class FoundBy { radius, context, map };  ///< map: found from nothing in all that was mapped before a loss
 std::span<const std::string_view> names_of(FoundBy);
 
 struct LoopCandidate {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <tilth/slam/loop_detector.hpp>
 
@@ -49,6 +50,7 @@ std::vector<LoopCandidate> candidates_by_radius(const PlacesSeen& places, const 
   for (std::size_t i = 0; i < places.keyframes.size(); ++i) {
     const Expectation& expected = places.expected[i];
     if (!is_earlier_pass(places, i, options.min_path)) break;
+    if (!std::isfinite(expected.translation)) continue;
     if (distance_to(expected) <= options.radius + expected.translation) near.push_back({i, distance_to(expected)});
   }
   keep_best(near, near.size());
@@ -67,7 +69,7 @@ std::vector<LoopCandidate> candidates_by_context(const PlacesSeen& places, const
   for (std::size_t i = 0; i < places.keyframes.size(); ++i) {
     if (!is_earlier_pass(places, i, options.min_path)) break;
     const Expectation& expected = places.expected[i];
-    if (distance_to(expected) > options.radius + expected.translation) continue;
+    if (!std::isfinite(expected.translation) || distance_to(expected) > options.radius + expected.translation) continue;
     alike.push_back({i, double((places.keyframes[i].context.ring_key - query.ring_key).norm())});
   }
   keep_best(alike, std::size_t(options.context_candidates));

@@ -30,7 +30,7 @@ void visit(DetectOptions& o, V&& v) {
 }
 
 /// What the detector sees: all keyframes, the newest last, where each is thought to be, and what is left open of the
-/// motion between each of them and the newest.
+/// motion between each of them and the newest: without bound (infinite) where the track was lost in between.
 struct PlacesSeen {
   std::span<const Keyframe> keyframes;
   std::span<const Expectation> expected;

@@ -1,5 +1,4 @@
-#include <algorithm>
-
+#include <tilth/odometry/judged_odometry.hpp>
 #include <tilth/slam/slam.hpp>
 
 namespace tilth {
@@ -11,15 +10,30 @@ Slam::Slam(std::unique_ptr<Odometry> odometry, const SlamOptions& options)
 
 OdometryResult Slam::register_scan(const Scan& scan) {
   OdometryResult result = odometry_->register_scan(scan);
+  add_way(result);
+  trajectory_.push_back({result.stamp, result.T_world_lidar});
+  if (makes_keyframe(result)) add_keyframe(result, scan.stamp);
+  return result;
+}
+
+void Slam::add_way(const OdometryResult& result) {
   if (!trajectory_.empty())
     path_ += (result.T_world_lidar.translation() - trajectory_.back().T_world_lidar.translation()).norm();
-  trajectory_.push_back({result.stamp, result.T_world_lidar});
   covariance_ += result.alignment.covariance;
+  if (begins_map(result)) {
+    covariance_ += drift_after(result.stamp - known_until_);
+    severed_ = true;
+  }
+  if (result.track.state != TrackState::lost || result.track.reason == TrackReason::new_map)
+    known_until_ = result.stamp;
+}
+
+/// Far enough from the last one, or the first of a map; never a scan of which nothing was found.
+bool Slam::makes_keyframe(const OdometryResult& result) const {
   const std::vector<Keyframe>& keyframes = closer_.keyframes();
-  if (keyframes.empty() ||
-      is_keyframe(keyframes.back().T_odometry_lidar.inverse() * result.T_world_lidar, keyframe_options_))
-    add_keyframe(result, scan.stamp);
-  return result;
+  if (keyframes.empty() || begins_map(result)) return true;
+  if (result.track.reason == TrackReason::too_few_matches) return false;
+  return is_keyframe(keyframes.back().T_odometry_lidar.inverse() * result.T_world_lidar, keyframe_options_);
 }
 
 void Slam::add_keyframe(const OdometryResult& result, double scan_stamp) {
@@ -28,7 +42,9 @@ void Slam::add_keyframe(const OdometryResult& result, double scan_stamp) {
   keyframe.scan = trajectory_.size() - 1;
   keyframe.path = path_;
   keyframe.covariance = covariance_;
+  keyframe.severed = severed_;
   covariance_.setZero();
+  severed_ = false;
   closer_.add(std::move(keyframe), [this](std::string_view stage) { begin_stage(stage); });
 }
 
@@ -48,6 +64,20 @@ Trajectory Slam::trajectory() const {
     }
   }
   return corrected;
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> Slam::joined_scans() const {
+  const std::vector<Keyframe>& keyframes = closer_.keyframes();
+  const std::vector<bool> joined = closer_.joined();
+  std::vector<std::pair<std::size_t, std::size_t>> scans;
+  bool open = false;
+  for (std::size_t k = 1; k < keyframes.size(); ++k) {
+    if (!keyframes[k].severed) continue;
+    if (open) scans.back().second = keyframes[k].scan;
+    open = joined[k];
+    if (open) scans.emplace_back(keyframes[k].scan, trajectory_.size());
+  }
+  return scans;
 }
 
 }  // namespace tilth

@@ -72,6 +72,19 @@ function nowLine(chart, timeline) {
   chart.ctx.restore();
 }
 
+/** Strips in which the curves are not to be believed, as wide as a pixel at least. */
+function alarmStrips(chart, alarm) {
+  const { left, top, width, height } = chart.bbox;
+  const at = (x) => Math.min(Math.max(chart.valToPos(x, "x", true), left), left + width);
+  chart.ctx.save();
+  chart.ctx.fillStyle = color("lost");
+  for (const [from, to] of alarm.spans) {
+    const [a, b] = [at(from), at(to)];
+    if (b > left && a < left + width) chart.ctx.fillRect(a - 0.5, top, b - a + 1, height);
+  }
+  chart.ctx.restore();
+}
+
 /** The curves in the order of drawing, each in the colour of its place: the truth lies below what is held against it. */
 function inDrawingOrder(plot) {
   const rank = (curve) => (curve.truth ? 0 : curve.behind ? 1 : 2);
@@ -94,7 +107,7 @@ export function linePlot(given, { timeline, width }) {
     bands,
     axes: axes(plot),
     cursor: { sync: plot.over_time ? { key: "time", setSeries: false } : undefined, points: { size: 6 }, drag: { x: true, y: false } },
-    hooks: { draw: plot.over_time ? [(chart) => nowLine(chart, timeline)] : [] },
+    hooks: { drawAxes: plot.alarm ? [(chart) => alarmStrips(chart, plot.alarm)] : [], draw: plot.over_time ? [(chart) => nowLine(chart, timeline)] : [] },
   };
   const chart = new uPlot(options, data, place);
   const redraw = () => chart.redraw(false, false);
