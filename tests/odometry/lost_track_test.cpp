@@ -83,6 +83,16 @@ TEST_P(LostTrack, ACoveredSensorIsSaidAndItsCovarianceHoldsTheError) {
   EXPECT_LT(outcome.last, 0.05);
 }
 
+// Other rooms of the same building fit by half: what was carried there must not be "found again".
+TEST_P(LostTrack, ASensorThatWasCarriedAwayIsNeverBelievedElsewhere) {
+  for (const char* seed : {"611", "612"}) {
+    const OptionValues carried{{"seed", seed}, {"kidnap", "25"}, {"kidnap_jump", "20"}};
+    const Outcome outcome = drive(GetParam(), {"hospital", carried, 235, 45});
+    EXPECT_LT(outcome.worst, 0.1) << seed;
+    EXPECT_GT(outcome.said, 20U) << seed;
+  }
+}
+
 TEST_P(LostTrack, ADriveGoesOnAfterAPause) {
   const auto paused = [](std::size_t i, Scan scan) {
     scan.stamp += i >= 20 ? 30.0 : 0.0;

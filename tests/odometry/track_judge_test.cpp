@@ -93,6 +93,41 @@ TEST(TrackJudge, AScanThatDoesNotFitAndStaysOutsideSpoilsNothing) {
   EXPECT_EQ(run.tell(run.drive.good()).state, TrackState::tracking);
 }
 
+TEST(TrackJudge, WhatFollowsADoubtMustFitAsUsual) {
+  Judged run;
+  for (const double ratio : {0.2, 0.6}) {  // the second as another room like this one fits
+    OdometryResult elsewhere = run.drive.fitting(ratio);
+    elsewhere.in_map = false;
+    EXPECT_EQ(run.tell(elsewhere).reason, TrackReason::poor_fit) << ratio;
+  }
+  EXPECT_EQ(run.tell(run.drive.fitting(0.75)).state, TrackState::tracking);
+  EXPECT_EQ(run.tell(run.drive.fitting(0.6)).state, TrackState::tracking) << "nothing was in doubt";
+}
+
+TEST(TrackJudge, TheLongerNothingWasSeenTheMoreMustFit) {
+  for (const auto& [pause, state] : {std::pair(0.3, TrackState::tracking), std::pair(2.0, TrackState::lost)}) {
+    Judged run;
+    run.drive.pause(pause);
+    EXPECT_EQ(run.tell(run.drive.fitting(0.6)).state, state) << pause;
+  }
+}
+
+TEST(TrackJudge, AMapThatWasBegunAfterALossHasAUsualFitOfItsOwn) {
+  Judged run;
+  OdometryResult begins = run.drive.good();
+  begins.relative = true;
+  begins.alignment.matches = 0, begins.alignment.weight = 0;
+  EXPECT_EQ(run.tell(begins).reason, TrackReason::new_map);
+  for (int i = 0; i < 5; ++i) {
+    OdometryResult goes_on = run.drive.fitting(0.5);
+    goes_on.relative = true;
+    EXPECT_EQ(run.tell(goes_on).reason, TrackReason::new_map) << i;
+  }
+  OdometryResult poor = run.drive.fitting(0.2);
+  poor.relative = true;
+  EXPECT_EQ(run.tell(poor).reason, TrackReason::poor_fit);
+}
+
 TEST(TrackJudge, SaysThatAnotherMotionFitsAsWell) {
   Judged run;
   OdometryResult either = run.drive.good();

@@ -41,6 +41,7 @@ OdometryResult ImprovedFloam::register_scan(const Scan& scan) {
   begin_stage("map");
   result.ambiguous = ambiguous_, result.relative = relative_,
   result.in_map = belongs_in_map(found.alignment, measured.stamp);
+  result.poor = !result.in_map;
   if (result.in_map) {
     insert(std::move(patches), measured, found);
   } else {

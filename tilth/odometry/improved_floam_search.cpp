@@ -98,7 +98,7 @@ void ImprovedFloam::begin_anew(double stamp) {
   const Pose T_world_expected = motion_.predict(stamp);
   motion_ = ConstantVelocity(T_world_expected);
   map_ = PatchMap(options_.map);
-  usual_ = {};
+  usual_.forget();
   first_.reset();
   ambiguous_ = false;
   relative_ = true;

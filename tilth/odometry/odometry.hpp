@@ -29,6 +29,7 @@ struct OdometryResult {
   /// [rad^2, m^2] of T_world_lidar (right perturbation), drift included, where the pipeline accounts for it
   std::optional<Matrix6d> covariance = {};
   bool ambiguous = false;  ///< another motion fits as well as the one that was taken
+  bool poor = false;       ///< it fits too little for the pipeline to believe that it lies here
   bool in_map = true;      ///< later scans are registered to this one as well
   bool relative = false;   ///< to a map that was begun after a loss, where the pose was thought to be
   Track track;             ///< of odometries that make_odometry() made

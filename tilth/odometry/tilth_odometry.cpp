@@ -31,7 +31,7 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
 
   OdometryResult result = result_of(alignment, patches);
   result.covariance = covariance;
-  result.ambiguous = ambiguous_, result.in_map = in_map, result.relative = relative_;
+  result.ambiguous = ambiguous_, result.poor = !in_map, result.in_map = in_map, result.relative = relative_;
   result.counts.points_in = cloud.size();
   result.counts.outliers = cloud.size() - filtered.size();
   result.filtered = std::move(filtered);

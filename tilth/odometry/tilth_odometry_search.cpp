@@ -124,7 +124,7 @@ void TilthOdometry::begin_anew(const Pose& T_map_lidar) {
   motion_ = MotionFilter(options_.align.vibration);
   map_ = PatchMap(options_.map);
   uncertainty_ = {};
-  usual_ = {};
+  usual_.forget();
   ambiguous_ = false;
   relative_ = true;
 }

@@ -24,7 +24,7 @@ Track TrackJudge::judge(const OdometryResult& result) {
   track_ = reason == TrackReason::none ? believed(interval) : doubted(reason, result, interval);
   const Vector6d velocity = velocity_to(result, interval);
   last_ = {result.stamp, result.T_world_lidar, velocity};
-  if (begins_map(result)) usual_ = {};
+  if (begins_map(result)) usual_.forget();
   const bool fits = reason == TrackReason::none || reason == TrackReason::new_map;
   if (!fits) usual_.doubt();
   if (fits && result.alignment.matches > 0) usual_.add(result.alignment, interval);
@@ -39,6 +39,7 @@ TrackReason TrackJudge::doubt(const OdometryResult& result, double interval) con
   if (begins_map(result)) return TrackReason::new_map;
   if (usual_.is_unmatched(alignment)) return TrackReason::too_few_matches;
   if (result.ambiguous) return TrackReason::ambiguous;
+  if (result.poor) return TrackReason::poor_fit;
   if (usual_.is_poor(alignment, result.relative ? interval : unknown_ + interval)) return TrackReason::poor_fit;
   if (recent_.size() >= kSome && std::max(recent_.value(), fit_of(alignment)) < kLeastFit) return TrackReason::poor_fit;
   if (result.relative) return TrackReason::new_map;

@@ -30,9 +30,9 @@ class TrackJudge {
   Track doubted(TrackReason reason, const OdometryResult& result, double interval);
   Track believed(double interval);
 
-  UsualFit usual_;
-  RunningMedian sizes_{21};  // candidates of the scans that were believed
-  RunningMedian recent_{5};  // fits of the scans that were matched at all
+  UsualFit usual_{{.poor = 0.56, .sure = 0.8}};  // whatever the pipeline: good runs of some fall to 0.57
+  RunningMedian sizes_{21};                      // candidates of the scans that were believed
+  RunningMedian recent_{5};                      // fits of the scans that were matched at all
   Last last_;
   Track track_;
   double unknown_ = 0.0;

@@ -40,9 +40,17 @@ inline double fit_of(const AlignResult& alignment) {
   return alignment.candidates == 0 ? 0.0 : alignment.weight / double(alignment.candidates);
 }
 
+/// Shares of the usual fit below which a scan does not lie where it was put.
+struct FitBounds {
+  double poor;  ///< of one that follows a scan that fitted
+  double sure;  ///< of one after a doubt, or after a time of which nothing is known: other rooms of a building fit, too
+};
+
 /// Of the last scans that were believed.
 class UsualFit {
  public:
+  explicit UsualFit(const FitBounds& bounds) : bounds_(bounds) {}
+
   /// A scan `interval` [s] after the one before.
   void add(const AlignResult& alignment, double interval) {
     fits_.add(fit_of(alignment));
@@ -52,6 +60,8 @@ class UsualFit {
 
   /// A scan that was not believed.
   void doubt() { in_doubt_ = true; }
+
+  void forget() { *this = UsualFit(bounds_); }
 
   /// Of the usual fit; 1 before any.
   double ratio(const AlignResult& alignment) const {
@@ -67,14 +77,11 @@ class UsualFit {
   }
 
   /// Whether the scan, which comes `interval` [s] after the last one that was believed, lies somewhere else than where
-  /// it was put. What comes after a doubt, or after a time of which nothing is known, must fit better than what
-  /// follows a scan that fitted: another room of the same building fits by half.
+  /// it was put.
   bool is_poor(const AlignResult& alignment, double interval) const {
-    constexpr double kPoorRatio = 0.56;  // good runs: 0.57 at least, of scans to keyframes after scans to scans
-    constexpr double kSureRatio = 0.8;   // other rooms of one building reach 0.7
     constexpr double kKnown = 0.5, kUnknown = 1.5;  // [s] more than usual
     const double late = (interval - intervals_.value() - kKnown) / (kUnknown - kKnown);
-    const double least = std::lerp(kPoorRatio, kSureRatio, in_doubt_ ? 1.0 : std::clamp(late, 0.0, 1.0));
+    const double least = std::lerp(bounds_.poor, bounds_.sure, in_doubt_ ? 1.0 : std::clamp(late, 0.0, 1.0));
     return is_unmatched(alignment) || ratio(alignment) < least;
   }
 
@@ -87,6 +94,7 @@ class UsualFit {
 
  private:
   static constexpr std::size_t kScans = 21;
+  FitBounds bounds_;
   RunningMedian fits_{kScans}, intervals_{kScans};
   bool in_doubt_ = false;
 };
