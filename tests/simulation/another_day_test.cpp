@@ -65,6 +65,11 @@ TEST(AnotherDay, AKidnappedSensorIsFartherAlongItsWay) {
   EXPECT_FALSE(is_covered(19.9, options) || is_covered(25.0, options));
 }
 
+TEST(AnotherDay, AKidnappingThatCannotBeIsRefused) {
+  EXPECT_THROW(make_scene("office", {.seed = 5, .kidnap = 1000}), Error);
+  EXPECT_THROW(make_scene("office", {.seed = 5, .kidnap = 20, .kidnap_jump = 1000}), Error);
+}
+
 TEST(AnotherDay, ACoveredSensorSeesNothing) {
   const Simulator simulator(
       "office",

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <tilth/core/error.hpp>
 #include <tilth/simulation/another_day.hpp>
 #include <tilth/simulation/layout.hpp>
 
@@ -77,7 +78,9 @@ Trajectory kidnapped(const Trajectory& way, const SceneOptions& options) {
   auto end = begin;
   for (double carried = 0; end + 1 < way.end() && carried < options.kidnap_jump; ++end)
     carried += ((end + 1)->T_world_lidar.translation() - end->T_world_lidar.translation()).norm();
-  if (begin == way.end() || end + 1 >= way.end()) return way;
+  if (begin == way.end() || end + 1 >= way.end())
+    throw Error("kidnap", "comes too late: the way ends at " + std::to_string(way.back().stamp) +
+                              " s, and there is less of it left than kidnap_jump");
   Trajectory jumped(way.begin(), begin);
   const double first = begin->stamp, step = 1 / kTruthRate;
   const auto rests = std::size_t(std::lround(options.covered * kTruthRate));
