@@ -6,7 +6,6 @@ if(NOT TILTH_SYSROOT)
   set(TILTH_SYSROOT $ENV{TILTH_SYSROOT})
 endif()
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES TILTH_SYSROOT)
-set(libraries ${TILTH_SYSROOT}/usr/lib/aarch64-linux-gnu)
 
 set(CMAKE_SYSROOT ${TILTH_SYSROOT})
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
@@ -18,10 +17,5 @@ set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(ENV{PKG_CONFIG_SYSROOT_DIR} ${TILTH_SYSROOT})
-set(ENV{PKG_CONFIG_LIBDIR} ${libraries}/pkgconfig:${TILTH_SYSROOT}/usr/share/pkgconfig)
-
-# BLAS and LAPACK stand in folders of their own, of which Debian's alternatives choose when a package is set up.
-set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,-rpath-link,${libraries}/blas:${libraries}/lapack")
-set(CMAKE_SHARED_LINKER_FLAGS_INIT ${CMAKE_EXE_LINKER_FLAGS_INIT})
-set(CMAKE_CROSSCOMPILING_EMULATOR
-    "qemu-aarch64;-L;${TILTH_SYSROOT};-E;LD_LIBRARY_PATH=${libraries}/blas:${libraries}/lapack")
+set(ENV{PKG_CONFIG_LIBDIR} ${TILTH_SYSROOT}/usr/lib/aarch64-linux-gnu/pkgconfig:${TILTH_SYSROOT}/usr/share/pkgconfig)
+set(CMAKE_CROSSCOMPILING_EMULATOR "qemu-aarch64;-L;${TILTH_SYSROOT}")
