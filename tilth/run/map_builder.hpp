@@ -77,6 +77,9 @@ class MapBuilder {
   /// seen through so far is left out.
   PointRecords records() const;
 
+  /// The same, every n-th point of it, so that no more than `most` > 0 remain. O(most).
+  PointRecords thinned_records(std::size_t most) const;
+
  private:
   /// A point of which is not decided yet whether it moved.
   struct OpenPoint {
