@@ -122,17 +122,19 @@ void MapBuilder::rebuild() {
 }
 
 PointRecords MapBuilder::records() const {
-  return open_.empty() ? to_records(points_) : thinned_records(size());
+  if (open_.empty()) return to_records(points_);
+  std::vector<MapPoint> all = points_;
+  for (const OpenPoint& open : open_) {
+    if (!gone(open)) all.push_back(open.point);
+  }
+  return to_records(all);
 }
 
 PointRecords MapBuilder::thinned_records(std::size_t most) const {
   const std::size_t every = std::max<std::size_t>(1, (size() + most - 1) / most);
   std::vector<MapPoint> chosen;
-  std::size_t i = 0;
-  for (; i < points_.size(); i += every) chosen.push_back(points_[i]);
-  for (i -= points_.size(); i < open_.size(); i += every) {
-    if (!gone(open_[i])) chosen.push_back(open_[i].point);
-  }
+  for (std::size_t i = 0; i < size(); i += every)
+    chosen.push_back(i < points_.size() ? points_[i] : open_[i - points_.size()].point);
   return to_records(chosen);
 }
 

@@ -22,7 +22,7 @@ void main() {
 const kFragment = "varying vec3 shade;\nvoid main() { gl_FragColor = vec4(shade, 1.0); }";
 const kPointSize = 0.09; // [m] that a point covers
 const kInside = 0.98; // of the points lie in the box that the view is fitted to
-const kRobot = 0.018; // of the longer side of the map
+const kRobot = 0.03; // of the longer side of the map
 const kMostWay = 20000; // poses of the way that are drawn
 
 function plain(name) {
