@@ -1,4 +1,4 @@
-# Tests of report.html in a browser: tilth_web_test(<name> <script> <argument>...). A script returns 77 where the browser or
+# Tests of our pages in a browser: tilth_web_test(<name> <script> <argument>...). A script returns 77 where the browser or
 # a library from npm is missing: the test counts as skipped (where CI=true the script fails).
 function(tilth_web_test name script)
   set(command [[command -v node >/dev/null || { echo "SKIPPED: needs node"; [ "$CI" != true ] && exit 77; exit 1; }; exec node "$0" "$@"]])
@@ -11,5 +11,6 @@ if(BUILD_TESTING)
   tilth_link(tilth_report_probe report)
   tilth_web_test(web_run check_run.mjs $<TARGET_FILE:tilth_app>)
   tilth_web_test(web_hostile check_hostile.mjs $<TARGET_FILE:tilth_report_probe>)
+  tilth_web_test(web_view check_view.mjs $<TARGET_FILE:tilth_app>)
   tilth_web_test(web_large check_large.mjs $<TARGET_FILE:tilth_report_probe>)
 endif()

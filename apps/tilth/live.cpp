@@ -15,6 +15,7 @@
 #include <tilth/run/journal_sink.hpp>
 #include <tilth/run/track_record.hpp>
 #include <tilth/sources/live_source.hpp>
+#include <tilth/view/view_sink.hpp>
 
 namespace tilth::app {
 namespace {
@@ -110,20 +111,25 @@ int live(const LiveArguments& a) {
   const LockedFolder folder(a.run.out, files_of(plan.outputs));
   check_folder(a);
   remember_interrupts();
+  const std::shared_ptr<ViewServer> view = open_view(a.run, console);
   const Stopwatch stopwatch;
   const auto enough = [&] { return a.duration > 0.0 && stopwatch.seconds() > a.duration; };
   std::unique_ptr<LiveSource> source = open(
       a, [&] { return interrupted() != 0 || enough(); }, console);
   if (!source) return signal_exit_code();
-  if (a.resume && holds_run(a.run.out))
-    resume(a.run.out, plan, console);
-  else
-    remove_run(a.run.out, files_of(run_outputs(plan.output, plan.report, true)));
   LiveConsole observer(*source, console);
+  std::unique_ptr<ScanSource> scans = corrected_source(std::move(source), a.run, plan);
+  if (a.resume && holds_run(a.run.out)) {
+    resume(a.run.out, plan, console);
+  } else {
+    remove_run(a.run.out, files_of(run_outputs(plan.output, plan.report, true)));
+    scans = begin_world(std::move(scans), a.run, plan, console);
+  }
   const std::size_t before = plan.record.trajectory.size();
-  Session session(corrected_source(std::move(source), a.run, plan), std::move(plan.pipeline), std::move(plan.record));
+  Session session(std::move(scans), std::move(plan.pipeline), std::move(plan.record));
   session.observe(observer);
   add_sinks(session, a, plan, observer);
+  if (view) session.add(std::make_unique<ViewSink>(view));
   const RunEnd end = run_session(session, a.run);
   session.record().ended = reason(end, enough());
   const bool whole = end_session(session, a.run, plan, console);
@@ -143,6 +149,8 @@ void add_live(CLI::App& app, int& exit_code) {
       ->add_flag("--loop-closure", a->run.loop_closure,
                  "find places seen before; the way is corrected at the end (loop.*)")
       ->excludes("--resume");
+  add_base_flag(*command, a->run);
+  add_level_flag(*command, a->run)->excludes("--resume");
   command->add_flag("--force", a->force, "replace the run in that folder")->excludes("--resume");
   command->add_option("--duration", a->duration, "[s] after which it ends")->check(CLI::PositiveNumber);
   command->add_option("--max-scans", a->run.session.max_scans, "stop after so many scans");
@@ -154,6 +162,7 @@ void add_live(CLI::App& app, int& exit_code) {
   add_beams_flag(*command, a->run);
   add_learn_beams_flag(*command, a->run);
   add_output_flags(*command, a->run);
+  add_view_flags(*command, a->run);
   add_threads_flag(*command, a->run);
   command->add_flag("--quiet", a->run.quiet, "print errors only");
   command->callback([a, &exit_code] { exit_code = live(*a); });

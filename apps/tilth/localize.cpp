@@ -17,6 +17,7 @@
 #include <tilth/io/beam_file.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/report/report_sink.hpp>
+#include <tilth/run/base_frame.hpp>
 #include <tilth/run/file_sinks.hpp>
 #include <tilth/run/localization_run.hpp>
 #include <tilth/run/new_record.hpp>
@@ -44,10 +45,12 @@ std::vector<RunOutput> localization_outputs(const ReportOptions& report) {
           {"report.html", [report](const Path& path) { return report_sink(path, report); }}};
 }
 
-std::optional<Pose> guess_of(const std::vector<double>& at) {
+/// Of the LiDAR: `at` tells of base_link where it is known.
+std::optional<Pose> guess_of(const std::vector<double>& at, const std::optional<Pose>& T_base_lidar) {
   if (at.empty()) return std::nullopt;
-  return Pose(Eigen::Translation3d(at[0], at[1], at[2]) *
-              Eigen::AngleAxisd(at[3] * std::numbers::pi / 180, Eigen::Vector3d::UnitZ()));
+  const Pose T_map_body(Eigen::Translation3d(at[0], at[1], at[2]) *
+                        Eigen::AngleAxisd(at[3] * std::numbers::pi / 180, Eigen::Vector3d::UnitZ()));
+  return T_map_body * T_base_lidar.value_or(Pose::Identity());
 }
 
 void tell(const RunRecord& record, const std::string& folder, const std::vector<std::string>& files, Console& console) {
@@ -84,6 +87,8 @@ int localize_recording(const LocalizeArguments& a) {
   const auto options = with<LocalizationOptions>(choice.localize);
   RunRecord record = new_record(a.run.source, choice.name, choice.values);
   add_options(describe(options), describe(LocalizationOptions{}), record);
+  add_options(describe_mount(a.run.base_from_lidar, false), describe_mount("", false), record);
+  if (!a.run.base_from_lidar.empty()) record.T_base_lidar = parse_mount(a.run.base_from_lidar);
   record.map = MapBuilder(with<MapOptions>(a.run.map));
   const auto report = with<ReportOptions>(a.run.report);
   const MapFolder map(a.map);
@@ -94,7 +99,8 @@ int localize_recording(const LocalizeArguments& a) {
   std::vector<std::unique_ptr<Sink>> sinks;
   for (const RunOutput& output : outputs) sinks.push_back(output.open(folder / output.file));
   Localizer localizer(
-      map, [&] { return make_odometry(choice.name, choice.values); }, options.localize, guess_of(a.at));
+      map, [&] { return make_odometry(choice.name, choice.values); }, options.localize,
+      guess_of(a.at, record.T_base_lidar));
   LocalizationRunOptions how{a.run.session, a.restart_every};
   how.session.interrupted = [] { return interrupted() != 0; };
   remember_interrupts();
@@ -122,6 +128,7 @@ void add_localize(CLI::App& app, int& exit_code) {
   command->add_option("--restart-every", a->restart_every, "forget the place after so many scans, and find it anew");
   add_source_flags(*command, a->input);
   add_beams_flag(*command, a->run);
+  add_base_flag(*command, a->run);
   command->add_option("--max-scans", a->run.session.max_scans, "stop after so many scans");
   command->add_flag("--strict", a->run.session.strict, "a record that cannot be used ends the run with an error");
   command->add_option("--pipeline", a->run.options.pipeline, "see `tilth pipelines`; default: the first of them");

@@ -16,6 +16,7 @@
 #include <tilth/run/truth_file.hpp>
 #include <tilth/sources/describe_source.hpp>
 #include <tilth/sources/open_source.hpp>
+#include <tilth/view/view_sink.hpp>
 
 namespace tilth::app {
 namespace {
@@ -36,12 +37,16 @@ int run(const RecordingArguments& a) {
   std::optional<TruthFile> truth;
   if (!a.truth.empty()) truth = read_truth(a.truth, a.calibration);
   PlannedRun plan = plan_run(a.run, describe_source(a.input), describe_source({}));
+  const std::shared_ptr<ViewServer> view = open_view(a.run, console);
+  std::unique_ptr<ScanSource> source =
+      corrected_source(open_source(a.run.source, stopped_by_signals(a.input)), a.run, plan);
+  source = begin_world(std::move(source), a.run, plan, console);
   const Slam* const slam = plan.pipeline.slam;
-  Session session(corrected_source(open_source(a.run.source, stopped_by_signals(a.input)), a.run, plan),
-                  std::move(plan.pipeline), std::move(plan.record));
+  Session session(std::move(source), std::move(plan.pipeline), std::move(plan.record));
   session.observe(console);
   const LockedFolder folder(a.run.out, files_of(plan.outputs));
   for (const RunOutput& output : plan.outputs) session.add(output.open(folder / output.file));
+  if (view) session.add(std::make_unique<ViewSink>(view));
   if (!a.run.save_map.empty()) session.add(saved_map_sink(saved_map(a.run, plan), *slam));
   remember_interrupts();
   const RunEnd end = run_session(session, a.run);
@@ -61,6 +66,7 @@ void add_input_options(CLI::App& command, RecordingArguments& a) {
   add_source_flags(command, a.input);
   add_beams_flag(command, a.run);
   add_learn_beams_flag(command, a.run);
+  add_base_flag(command, a.run);
   command.add_option("--max-scans", a.run.session.max_scans, "stop after so many scans");
   command.add_flag("--strict", a.run.session.strict, "a record that cannot be used ends the run with an error");
 }
@@ -69,11 +75,14 @@ void add_output_options(CLI::App& command, RecordingArguments& a) {
   command.add_option("--out", a.run.out, "folder for the results; made where missing")->required();
   command.add_option("--save-map", a.run.save_map,
                      "folder for the map, for `tilth localize`; closes loops as --loop-closure does");
+  CLI::Option* level = add_level_flag(command, a.run);
   command
       .add_option("--map", a.run.map_to_continue,
                   "map that the one to save goes on with: in its frame, with what is new and what has changed")
-      ->needs("--save-map");
+      ->needs("--save-map")
+      ->excludes(level);
   add_output_flags(command, a.run);
+  add_view_flags(command, a.run);
   add_truth_flags(command, "to judge the run by, first poses made equal", a.truth, a.calibration);
   command.add_flag("--quiet", a.run.quiet, "print errors only");
 }

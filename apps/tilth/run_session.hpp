@@ -1,6 +1,7 @@
 // What `tilth run` and `tilth live` share: the same session, with other sources and sinks.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,11 @@
 #include <tilth/localization/localizer.hpp>
 #include <tilth/report/run_outputs.hpp>
 #include <tilth/run/session.hpp>
+#include <tilth/view/view_server.hpp>
+
+namespace CLI {
+class Option;
+}
 
 namespace tilth::app {
 
@@ -23,14 +29,16 @@ int exit_code_of(RunEnd end, bool lost, bool strict);
 
 struct RunArguments {
   std::string source, out;
-  std::string beams;            ///< beams.yaml; empty: none
-  std::string save_map;         ///< folder of the map to save; empty: none
-  std::string map_to_continue;  ///< folder of a map; empty: none
+  std::string beams;                ///< beams.yaml; empty: none
+  std::string save_map;             ///< folder of the map to save; empty: none
+  std::string map_to_continue;      ///< folder of a map; empty: none
+  std::string base_from_lidar;      ///< as parse_mount takes it; empty: not known
+  std::optional<ViewAddress> view;  ///< nothing: nobody watches
   OptionArguments options;
   OptionValues map, output, report;  ///< of MapOptions, OutputOptions and ReportOptions
   SessionOptions session;
   int threads = 0;  ///< zero: as many as there are processors
-  bool loop_closure = false, learn_beams = false, quiet = false;
+  bool loop_closure = false, learn_beams = false, level = false, quiet = false;
 };
 
 /// Adds a flag for each option of the map, the files and the report. `arguments` must outlive the command.
@@ -45,10 +53,24 @@ void add_beams_flag(CLI::App& command, RunArguments& arguments);
 /// Adds --learn-beams.
 void add_learn_beams_flag(CLI::App& command, RunArguments& arguments);
 
+/// Adds --base-from-lidar.
+void add_base_flag(CLI::App& command, RunArguments& arguments);
+
+/// Adds --level.
+CLI::Option* add_level_flag(CLI::App& command, RunArguments& arguments);
+
+/// Adds --view and --view-host.
+void add_view_flags(CLI::App& command, RunArguments& arguments);
+
+/// The server for those who watch, and where it is to be found; nothing where nobody is to.
+std::shared_ptr<ViewServer> open_view(const RunArguments& arguments, RunObserver& observer);
+
 /// A run before its first scan.
 struct PlannedRun {
   RunRecord record;
-  Pipeline pipeline;
+  Pipeline pipeline;                                 ///< without loop closure until begin_world()
+  std::function<std::unique_ptr<Odometry>()> trial;  ///< another one, for what is to be known beforehand
+  std::optional<SlamOptions> loop_closure;
   OutputOptions output;
   ReportOptions report;
   std::vector<RunOutput> outputs;
@@ -64,6 +86,11 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
 /// `source`, its scans corrected where the run has --beams.
 std::unique_ptr<ScanSource> corrected_source(std::unique_ptr<ScanSource> source, const RunArguments& arguments,
                                              const PlannedRun& plan);
+
+/// Lets the world begin at base_link where it is known and, with --level, upright; then closes loops, where it does.
+/// What of the source was looked at is still to come. Throws Error where the first seconds show no floor.
+std::unique_ptr<ScanSource> begin_world(std::unique_ptr<ScanSource> source, const RunArguments& arguments,
+                                        PlannedRun& plan, RunObserver& observer);
 
 /// The names of the files.
 std::vector<std::string> files_of(const std::vector<RunOutput>& outputs);

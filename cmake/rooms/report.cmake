@@ -3,11 +3,12 @@ find_package(ZLIB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 target_link_libraries(tilth_report PRIVATE nlohmann_json::nlohmann_json ZLIB::ZLIB)
 
-# The script of report.html is bundled where scripts/setup got its libraries, and comes with a source distribution of the
-# Python package (scripts/wheels); else three empty files stand in for it.
+# The scripts of report.html and of the live view are bundled where scripts/setup got its libraries, and come with a source distribution of the
+# Python package (scripts/wheels); else empty files stand in for them.
 set(web ${PROJECT_SOURCE_DIR}/web)
 set(web_build ${PROJECT_BINARY_DIR}/web)
-set(web_files ${web_build}/report.js ${web_build}/report.css ${web_build}/report.sha256)
+set(web_names report.js report.css report.sha256 view.js view.css view.sha256)
+list(TRANSFORM web_names PREPEND ${web_build}/ OUTPUT_VARIABLE web_files)
 find_program(TILTH_NODE node)
 if(TILTH_NODE AND EXISTS ${web}/node_modules/esbuild)
   set(TILTH_WEB_BUNDLE ON)
@@ -16,11 +17,11 @@ if(TILTH_NODE AND EXISTS ${web}/node_modules/esbuild)
     OUTPUT ${web_files}
     COMMAND ${TILTH_NODE} ${web}/build.mjs ${web_build}
     DEPENDS ${web_sources} ${web}/build.mjs ${web}/package-lock.json
-    COMMENT "Bundling the script of report.html")
+    COMMENT "Bundling the scripts of report.html and of the live view")
 elseif(EXISTS ${web}/bundle/report.js)
   set(TILTH_WEB_BUNDLE ON)
   set(web_build ${web}/bundle)
-  set(web_files ${web_build}/report.js ${web_build}/report.css ${web_build}/report.sha256)
+  list(TRANSFORM web_names PREPEND ${web_build}/ OUTPUT_VARIABLE web_files)
 else()
   set(TILTH_WEB_BUNDLE OFF)
   message(STATUS "report.html will have no 3D view: the libraries of web/package.json are not there (scripts/setup)")

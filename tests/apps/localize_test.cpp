@@ -62,6 +62,25 @@ TEST_F(LocalizeCommand, FindsAnotherDriveInTheMap) {
   EXPECT_GT(std::filesystem::file_size(out / "report.html"), 1000U);
 }
 
+TEST_F(LocalizeCommand, TellsWhereTheBaseIs) {
+  const auto localized = [&](const std::string& name, std::vector<std::string> more) {
+    const std::string out = (*folder_ / name).string();
+    std::vector<std::string> arguments{"localize", kDriven, "--map", map(), "--out", out, "--max-scans", "60"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = tilth(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return read_tum(out + "/trajectory.tum");
+  };
+  const Trajectory lidar = localized("of_lidar", {});
+  const Trajectory base = localized("of_base", {"--base-from-lidar", "0.5,0,0.3,0,0,90"});
+  const Pose T_base_lidar(Eigen::Translation3d(0.5, 0, 0.3) *
+                          Eigen::AngleAxisd(std::acos(-1.0) / 2, Eigen::Vector3d::UnitZ()));
+  ASSERT_EQ(lidar.size(), base.size());
+  ASSERT_GT(lidar.size(), 20U);
+  for (std::size_t i = 0; i < lidar.size(); ++i)
+    EXPECT_TRUE((base[i].T_world_lidar * T_base_lidar).isApprox(lidar[i].T_world_lidar, 1e-9)) << i;
+}
+
 TEST_F(LocalizeCommand, DoesNotFindAnotherBuilding) {
   const std::filesystem::path out = *folder_ / "elsewhere";
   const Outcome outcome = tilth({"localize", "sim://hospital?seed=73&columns=600&duration=9", "--map", map(), "--out",

@@ -244,6 +244,11 @@ def main():
     write("rosbag2_metadata", "metadata.yaml", "rosbag2_bagfile_information:\n  version: 8\n  storage_identifier: mcap\n"
           "  relative_file_paths:\n    - bag_0.mcap\n    - sub/bag_1.mcap.zstd\n  message_count: 2\n")
     write("rosbag2_metadata", "empty_storage.yaml", "rosbag2_bagfile_information:\n  storage_identifier: \"\"\n")
+    write("view_client", "subscribe", 'foxglove.sdk.v1, foxglove.websocket.v1\nhttp://localhost:8080\n'
+          '{"op":"subscribe","subscriptions":[{"id":0,"channelId":3},{"id":1,"channelId":2}]}\n'
+          '{"op":"unsubscribe","subscriptionIds":[1]}\n')
+    write("view_client", "others", 'foxglove.websocket.v1\nhttps://app.foxglove.dev\n{"op":"getParameters","parameterNames":[],"id":"x"}\n'
+          '{"op":"fetchAsset","uri":"package://a/b.urdf","requestId":1}\n{"op":"advertise","channels":[{"id":1,"topic":"/x"}]}\n')
     write("times_file", "times.txt", "0.0\n0.1\n1e-1\n")
     write("beam_file", "beams.yaml", "# measured minus true\nversion: 1\nrange: [0.02, -0.01]\nelevation: [0.15, -0.1]\n"
           "azimuth: []\nencoder: [0.03, 0, 0.01, -0.01]\nrange_scale: 0.001\nwalk: 0.02\nbright: 150\n")

@@ -35,6 +35,8 @@
 #include <tilth/recording/recording_decoder.hpp>
 #include <tilth/sensor/device_packet.hpp>
 #include <tilth/sensor/packet_decoder.hpp>
+#include <tilth/view/client_feed.hpp>
+#include <tilth/view/visitor.hpp>
 
 namespace tilth::fuzz {
 
@@ -192,6 +194,29 @@ inline void rosbag2_metadata(Bytes bytes) {
   parse_rosbag2_metadata({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "fuzzed");
 }
 
+/// What a client of a live view sends: a text a line, the first two as headers of its request.
+inline void view_client(Bytes bytes) {
+  std::string_view left{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+  const auto line = [&] {
+    const std::string_view first = left.substr(0, left.find('\n'));
+    left.remove_prefix(std::min(left.size(), first.size() + 1));
+    return first;
+  };
+  chosen_protocol(line());
+  may_visit(line(), "127.0.0.1:8765");
+  ClientFeed feed({"hello"});
+  const auto message = std::make_shared<const std::vector<std::byte>>(4);
+  while (!left.empty()) {
+    for (const RunTopic topic : feed.take_text(line())) require(std::size_t(topic) < kRunTopics);
+    for (std::size_t topic = 0; topic < kRunTopics; ++topic) {
+      for (int i = 0; i < 3; ++i) feed.offer({RunTopic(topic), 1, message});
+    }
+  }
+  std::size_t frames = 0;
+  while (const auto frame = feed.next()) require(frame->is_text || frame->bytes), ++frames;
+  require(frames < 500);
+}
+
 struct Target {
   std::string_view name;
   void (*run)(Bytes);
@@ -219,6 +244,7 @@ inline constexpr std::array kTargets{
     Target{"device_packet", device_packet},
     Target{"g2o", g2o},
     Target{"rosbag2_metadata", rosbag2_metadata},
+    Target{"view_client", view_client},
 };
 
 inline void run(const Target& target, Bytes bytes) {

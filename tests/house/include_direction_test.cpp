@@ -50,7 +50,8 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
     {"zstd", {"tilth/io/unpack.cpp"}},
     {"zlib.h", {"tilth/report/packed_map.cpp", "tilth/atlas/patch_bytes.cpp"}},
     {"httplib.h", {"apps/tilth/view.cpp"}},
-    {"nlohmann/", {"tilth/run/", "tilth/report/", "tilth/study/", "apps/"}},
+    {"nlohmann/", {"tilth/run/", "tilth/report/", "tilth/study/", "tilth/view/", "apps/"}},
+    {"boost/", {"tilth/view/connection.cpp", "tilth/view/view_server.cpp", "tilth/view/view_hub.hpp"}},
     {"CLI/", {"apps/"}},
     {"nanobind/", {"python/"}},
     {"ceres/", {"tilth/slam/optimize.cpp"}},
@@ -59,7 +60,7 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
 };
 
 /// All other rooms are silent and blind: no file, no print, no clock, no thread.
-const std::set<std::string> kLoudRooms{"io", "gazebo", "sources", "atlas", "run", "report", "study"};
+const std::set<std::string> kLoudRooms{"io", "gazebo", "sources", "atlas", "run", "report", "study", "view"};
 const std::set<std::string> kLoudHeaders{"iostream", "fstream",  "print",   "filesystem", "chrono",
                                          "ctime",    "time.h",   "thread",  "mutex",      "future",
                                          "atomic",   "unistd.h", "csignal", "random",     "condition_variable"};

@@ -63,7 +63,7 @@ def check_run(folder):
     messages = read_mcap(out / "run.mcap")
     by_topic = {topic: [(t, m) for name, _, t, m in messages if name == topic] for topic, *_ in messages}
     assert {topic: len(found) for topic, found in by_topic.items()} == {
-        "/path": 1, "/map": 1, "/tf": len(poses), "/odometry": len(poses), "/scan": len(poses)}
+        "/path": 1, "/map": 1, "/tf": len(poses), "/odometry": len(poses), "/scan": len(poses), "/diagnostics": len(poses)}
     check_scans_in_world(by_topic["/scan"], poses, points)
     cloud = cloud_of(by_topic["/map"][0][1], ["x", "y", "z", "intensity"])
     assert all(numpy.array_equal(cloud[name], points[:, i]) for i, name in enumerate(cloud.dtype.names))
@@ -81,9 +81,59 @@ def check_run(folder):
             assert min(numpy.abs(row[4:] - other[3:]).max(), numpy.abs(row[4:] + other[3:]).max()) < 1e-9
         covariance = numpy.reshape(odometry.pose.covariance, (6, 6))
         assert close(covariance, covariance.T, 1e-18) and (numpy.linalg.eigvalsh(covariance) > -1e-15).all()
+    for _, state in by_topic["/diagnostics"]:
+        (status,) = state.status
+        values = {pair.key: pair.value for pair in status.values}
+        assert status.level in (0, b"\0") and values["track"] == "tracking" and float(values["register_ms"]) > 0
     with AnyReader([out / "run.mcap"], default_typestore=get_typestore(Stores.ROS2_HUMBLE)) as reader:
         kinds = {reader.deserialize(raw, connection.msgtype).__msgtype__ for connection, _, raw in reader.messages()}
-    assert kinds == {"nav_msgs/msg/Path", "sensor_msgs/msg/PointCloud2", "tf2_msgs/msg/TFMessage", "nav_msgs/msg/Odometry"}
+    assert kinds == {"nav_msgs/msg/Path", "sensor_msgs/msg/PointCloud2", "tf2_msgs/msg/TFMessage", "nav_msgs/msg/Odometry",
+                     "diagnostic_msgs/msg/DiagnosticArray"}
+
+
+def matrix_of(pose):
+    x, y, z, w = pose[3:]
+    T = numpy.eye(4)
+    T[:3, :3] = [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                 [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                 [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]]
+    T[:3, 3] = pose[:3]
+    return T
+
+
+def check_base(folder):
+    """With --base-from-lidar: frames, transforms that lead to the LiDAR, covariances by the adjoint, scans in the map."""
+    out = {}
+    for name, more in (("lidar", ()), ("base", ("--base-from-lidar", "0.5,0.1,0.4,0,0,90"))):
+        tilth("run", SCENE, "--out", folder / name, "--mcap", "--quiet", *more)
+        out[name] = {}
+        for topic, _, _, message in read_mcap(folder / name / "run.mcap"):
+            out[name].setdefault(topic, []).append(message)
+    poses = numpy.loadtxt(folder / "base" / "trajectory.tum", ndmin=2)
+    mount = numpy.array([[0, -1, 0, 0.5], [1, 0, 0, 0.1], [0, 0, 1, 0.4], [0, 0, 0, 1.0]])
+    for row, tf, odometry, before in zip(poses, out["base"]["/tf"], out["base"]["/odometry"], out["lidar"]["/odometry"], strict=True):
+        to_base, to_lidar = tf.transforms
+        assert (to_base.header.frame_id, to_base.child_frame_id) == ("world", "base_link") and odometry.child_frame_id == "base_link"
+        assert (to_lidar.header.frame_id, to_lidar.child_frame_id) == ("base_link", "lidar")
+        assert close(matrix_of(pose_of(to_lidar.transform.translation, to_lidar.transform.rotation)), mount, 1e-12)
+        of_base = matrix_of(pose_of(odometry.pose.pose.position, odometry.pose.pose.orientation))
+        of_lidar = matrix_of(pose_of(before.pose.pose.position, before.pose.pose.orientation))
+        assert close(of_base, matrix_of(row[1:]), 1e-9) and close(of_base, mount @ of_lidar @ numpy.linalg.inv(mount), 1e-9)
+        check_covariance(odometry, before, of_base[:3, :3], mount)
+    cloud = cloud_of(out["base"]["/map"][0], ["x", "y", "z"])
+    assert abs(len(cloud) - len(cloud_of(out["lidar"]["/map"][0], ["x", "y", "z"]))) < 0.05 * len(cloud)
+
+
+def check_covariance(of_base, of_lidar, rotation, mount):
+    """In the axes of the base's world: what turns the LiDAR moves the base by their distance."""
+    covariance, before = (numpy.reshape(m.pose.covariance, (6, 6)) for m in (of_base, of_lidar))
+    axes = numpy.kron(numpy.eye(2), mount[:3, :3])  # from the world that begins at the LiDAR to that of the base
+    lever = rotation @ mount[:3, 3]  # [m] from the base to the LiDAR
+    x, y, z = lever
+    moved = numpy.eye(6)
+    moved[:3, 3:] = [[0, -z, y], [z, 0, -x], [-y, x, 0]]  # error of the base = that of the LiDAR - error of rotation x lever
+    expected = moved @ axes @ before @ axes.T @ moved.T
+    assert close(covariance, expected, 1e-6 * numpy.abs(expected).max())
 
 
 def check_scans_in_world(scans, poses, map_points):
@@ -93,11 +143,8 @@ def check_scans_in_world(scans, poses, map_points):
         assert scan.header.frame_id == "lidar" and abs(seconds(scan.header.stamp) - row[0]) < 2e-9
         assert [f.name for f in scan.fields] == ["x", "y", "z", "intensity", "ring"] and 4000 < scan.width <= 5000
         cloud = cloud_of(scan, ["x", "y", "z"])
-        x, y, z, w = row[4:]
-        rotation = numpy.array([[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-                                [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-                                [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
-        world = numpy.stack([cloud["x"], cloud["y"], cloud["z"]], 1) @ rotation.T + row[1:4]
+        T_world_lidar = matrix_of(row[1:])
+        world = numpy.stack([cloud["x"], cloud["y"], cloud["z"]], 1) @ T_world_lidar[:3, :3].T + row[1:4]
         inside = [tuple(v) in voxels for v in numpy.floor(world / 0.1).astype(int)]
         assert numpy.mean(inside) > 0.999, numpy.mean(inside)
 
@@ -134,5 +181,6 @@ def check_scans(folder):
 
 with tempfile.TemporaryDirectory() as temporary:
     check_run(pathlib.Path(temporary))
+    check_base(pathlib.Path(temporary))
     check_scans(pathlib.Path(temporary))
 print("other programs read what is written")

@@ -44,6 +44,26 @@ TEST(JournalSink, AMapIsSavedMeanwhile) {
   EXPECT_TRUE(std::filesystem::exists(folder / "summary.json"));
 }
 
+TEST(JournalSink, HoldsPosesOfTheBaseAndGoesOnWithTheSameMountOnly) {
+  const TemporaryFolder folder;
+  RunObserver deaf;
+  RunRecord begun;
+  begun.T_base_lidar = Pose(Eigen::Translation3d(0.5, 0, 0.25) * Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitZ()));
+  {
+    Session session(std::make_unique<ScanList>(small_scans(4)), {std::make_unique<MetreAScan>()}, begun);
+    session.add(std::make_unique<JournalSink>(folder / "", kAlways, deaf));
+    session.run();
+  }
+  const Pose T_world_base = read_tum(folder / "trajectory.tum").back().T_world_lidar;
+  EXPECT_TRUE((T_world_base * *begun.T_base_lidar).isApprox(Pose(Eigen::Translation3d(3, 0, 0)), 1e-12));
+  continue_run(folder / "", begun);
+  EXPECT_TRUE(begun.trajectory.back().T_world_lidar.isApprox(Pose(Eigen::Translation3d(3, 0, 0)), 1e-12));
+  RunRecord other;
+  EXPECT_THROW(continue_run(folder / "", other), Error);
+  other.T_base_lidar = Pose::Identity();
+  EXPECT_THROW(continue_run(folder / "", other), Error);
+}
+
 TEST(JournalSink, RefusesStampsThatGoBack) {
   const TemporaryFolder folder;
   RunObserver deaf;

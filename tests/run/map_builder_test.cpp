@@ -23,6 +23,19 @@ PointCloud cloud_of(const std::vector<Eigen::Vector3d>& points) {
   return cloud;
 }
 
+TEST(MapBuilder, IsThinnedEvenlyForALook) {
+  MapBuilder map(MapOptions{.voxel = 0.5});
+  PointCloud line;
+  for (int i = 0; i < 1000; ++i) line.points.emplace_back(i, 0, 0);
+  map.add(line, Pose::Identity(), 0.0, {}, {0.0, true});
+  for (const std::size_t most : {1, 7, 100, 999, 1000, 5000}) {
+    const PointRecords some = map.thinned_records(most);
+    EXPECT_LE(some.count, most);
+    EXPECT_GT(2 * some.count, std::min<std::size_t>(most, 1000)) << most;
+  }
+  EXPECT_EQ(MapBuilder(MapOptions{}).thinned_records(10).count, 0U);
+}
+
 TEST(MapBuilder, KeepsTheFirstPointOfEachVoxel) {
   MapBuilder map({.voxel = 1.0});
   map.add(cloud_of({{0.2, 0.2, 0.2}, {0.8, 0.8, 0.8}, {1.2, 0.2, 0.2}, {-0.2, 0.2, 0.2}}), Pose::Identity(), 0.0, {});

@@ -18,34 +18,35 @@ void put(RosMessageWriter& writer, const Pose& pose) {
 }
 
 /// In ROS's order, translation first, and in the world's axes.
-Matrix6d covariance_in_world(const Vector6d& variances, const Pose& T_world_lidar) {
-  const Eigen::Matrix3d R = T_world_lidar.linear();
-  Matrix6d covariance = Matrix6d::Zero();
-  covariance.topLeftCorner<3, 3>() = R * variances.tail<3>().asDiagonal() * R.transpose();
-  covariance.bottomRightCorner<3, 3>() = R * variances.head<3>().asDiagonal() * R.transpose();
-  return covariance;
+Matrix6d covariance_in_world(const Matrix6d& covariance, const Pose& T_world_body) {
+  Matrix6d to_world = Matrix6d::Zero();
+  to_world.topRightCorner<3, 3>() = T_world_body.linear();
+  to_world.bottomLeftCorner<3, 3>() = T_world_body.linear();
+  return to_world * covariance * to_world.transpose();
 }
 
 }  // namespace
 
-std::vector<std::byte> serialize_odometry(const StampedPose& pose, const Vector6d& variances, const Frames& frames) {
+std::vector<std::byte> serialize_odometry(const StampedPose& pose, const Matrix6d& covariance, const Frames& frames) {
   RosMessageWriter writer(Serialization::cdr);
   writer.header(pose.stamp, frames.world, "Odometry");
-  writer.text(frames.lidar);
+  writer.text(frames.body);
   put(writer, pose.T_world_lidar);
-  const Matrix6d covariance = covariance_in_world(variances, pose.T_world_lidar);
-  for (const double value : covariance.reshaped()) writer.f64(value);
+  const Matrix6d in_world = covariance_in_world(covariance, pose.T_world_lidar);
+  for (const double value : in_world.reshaped()) writer.f64(value);
   for (int i = 0; i < 2; ++i) put(writer, Eigen::Vector3d::Zero());
   for (int i = 0; i < 36; ++i) writer.f64(i == 0 ? -1.0 : 0.0);
   return writer.take();
 }
 
-std::vector<std::byte> serialize_tf(const StampedPose& pose, const Frames& frames) {
+std::vector<std::byte> serialize_tf(std::span<const StampedTransform> transforms) {
   RosMessageWriter writer(Serialization::cdr);
-  writer.u32(1);
-  writer.header(pose.stamp, frames.world, "TFMessage");
-  writer.text(frames.lidar);
-  put(writer, pose.T_world_lidar);
+  writer.u32(transforms.size());
+  for (const StampedTransform& transform : transforms) {
+    writer.header(transform.stamp, transform.frames.world, "TFMessage");
+    writer.text(transform.frames.body);
+    put(writer, transform.T_world_body);
+  }
   return writer.take();
 }
 

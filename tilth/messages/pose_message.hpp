@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,14 +11,20 @@
 namespace tilth {
 
 struct Frames {
-  std::string world = "world", lidar = "lidar";
+  std::string world = "world", body = "lidar";  ///< the body is what the poses are of
 };
 
-/// All throw Error where a stamp lies outside [0, 2^32 - 1) s. `variances` are those of the pose in the LiDAR frame,
-/// rotation [rad^2], translation [m^2]; the message has them in the world's axes. It tells no velocity: the first
-/// number of that covariance is -1, as is usual.
-std::vector<std::byte> serialize_odometry(const StampedPose& pose, const Vector6d& variances, const Frames& frames);
-std::vector<std::byte> serialize_tf(const StampedPose& pose, const Frames& frames);
+struct StampedTransform {
+  double stamp = 0.0;  ///< [s]
+  Frames frames = {};
+  Pose T_world_body = Pose::Identity();
+};
+
+/// All throw Error where a stamp lies outside [0, 2^32 - 1) s. `covariance` is that of the pose in the body's frame
+/// (right perturbation), rotation [rad^2] before translation [m^2]; the message has it in the world's axes, translation
+/// first. It tells no velocity: the first number of that covariance is -1, as is usual.
+std::vector<std::byte> serialize_odometry(const StampedPose& pose, const Matrix6d& covariance, const Frames& frames);
+std::vector<std::byte> serialize_tf(std::span<const StampedTransform> transforms);
 std::vector<std::byte> serialize_path(const Trajectory& trajectory, const Frames& frames);
 
 }  // namespace tilth

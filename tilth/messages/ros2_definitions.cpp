@@ -29,6 +29,12 @@ constexpr Part kPointField{"sensor_msgs/PointField",
                            "uint8 UINT32=6\nuint8 FLOAT32=7\nuint8 FLOAT64=8\n"
                            "string name\nuint32 offset\nuint8 datatype\nuint32 count\n"};
 
+constexpr Part kKeyValue{"diagnostic_msgs/KeyValue", "string key\nstring value\n"};
+constexpr Part kDiagnosticStatus{"diagnostic_msgs/DiagnosticStatus",
+                                 "byte OK=0\nbyte WARN=1\nbyte ERROR=2\nbyte STALE=3\n"
+                                 "byte level\nstring name\nstring message\nstring hardware_id\n"
+                                 "diagnostic_msgs/KeyValue[] values\n"};
+
 std::string with_parts(std::string text, std::initializer_list<Part> parts) {
   for (const Part& part : parts) text += std::string(80, '=') + "\nMSG: " + part.name + "\n" + part.text;
   return text;
@@ -58,6 +64,12 @@ Ros2Type path_type() {
 Ros2Type tf_type() {
   return {"tf2_msgs/msg/TFMessage", with_parts("geometry_msgs/TransformStamped[] transforms\n",
                                                {kTransformStamped, kHeader, kTime, kTransform, kVector, kQuaternion})};
+}
+
+Ros2Type diagnostics_type() {
+  return {"diagnostic_msgs/msg/DiagnosticArray",
+          with_parts("std_msgs/Header header\ndiagnostic_msgs/DiagnosticStatus[] status\n",
+                     {kHeader, kTime, kDiagnosticStatus, kKeyValue})};
 }
 
 }  // namespace tilth

@@ -15,5 +15,6 @@ Ros2Type point_cloud2_type();
 Ros2Type odometry_type();
 Ros2Type path_type();
 Ros2Type tf_type();
+Ros2Type diagnostics_type();
 
 }  // namespace tilth

@@ -1,5 +1,6 @@
 #include <tilth/plot/motion_curves.hpp>
 #include <tilth/report/run_sections.hpp>
+#include <tilth/run/base_frame.hpp>
 
 namespace tilth {
 namespace {
@@ -34,22 +35,27 @@ void add_loops(const Trajectory& path, const LoopRecord& loops, Plot& top) {
   top.links = places_of(path, ends, "loop closures");
 }
 
+std::string body_in_words(const RunRecord& record) {
+  return record.T_base_lidar ? "robot (base_link)" : "LiDAR";
+}
+
 }  // namespace
 
 Section path_section(const RunRecord& record, const std::optional<JudgedRun>& judged) {
   const double start = record.trajectory.empty() ? 0.0 : record.trajectory.front().stamp;
-  std::vector<std::pair<std::string, const Trajectory*>> paths{{record.pipeline, &record.trajectory}};
-  if (record.loops) paths.emplace_back(kBeforeLoops, &record.loops->odometry);
-  if (judged) paths.emplace_back("truth", &judged->truth_in_world);
+  const auto of_base = [&](const Trajectory& poses) { return poses_of_base(poses, record.T_base_lidar); };
+  std::vector<std::pair<std::string, Trajectory>> paths{{record.pipeline, of_base(record.trajectory)}};
+  if (record.loops) paths.emplace_back(kBeforeLoops, of_base(record.loops->odometry));
+  if (judged) paths.emplace_back("truth", judged->truth_in_world);
   std::vector<Curve> above, roll, pitch, yaw, speed, height;
   for (const auto& [name, path] : paths) {
-    above.push_back(path_curve(*path, name));
-    AngleCurves angles = angle_curves(*path, start, name);
+    above.push_back(path_curve(path, name));
+    AngleCurves angles = angle_curves(path, start, name);
     roll.push_back(std::move(angles.roll));
     pitch.push_back(std::move(angles.pitch));
     yaw.push_back(std::move(angles.yaw));
-    speed.push_back(speed_curve(*path, start, name));
-    height.push_back(height_curve(*path, start, name));
+    speed.push_back(speed_curve(path, start, name));
+    height.push_back(height_curve(path, start, name));
   }
   for (std::vector<Curve>* curves : {&above, &roll, &pitch, &yaw, &speed, &height}) {
     if (judged) curves->back().truth = true;
@@ -59,12 +65,13 @@ Section path_section(const RunRecord& record, const std::optional<JudgedRun>& ju
   Plot top;
   top.id = "top_view";
   top.title = "Trajectory from above";
-  top.note = "The dot marks the start. The world is the LiDAR at its first pose: x ahead, y to the left.";
+  top.note = "The dot marks the start. The world is the " + body_in_words(record) + " at its first pose" +
+             (record.floor ? ", made level" : "") + ": x ahead, y to the left.";
   top.kind = PlotKind::path;
   top.x = {"x", "m"};
   top.y = {"y", "m"};
   top.curves = std::move(above);
-  if (record.loops) add_loops(record.trajectory, *record.loops, top);
+  if (record.loops) add_loops(paths.front().second, *record.loops, top);
   section.plots.push_back(std::move(top));
   section.plots.push_back(over_time("speed", "Speed", {"speed", "m/s"}, std::move(speed)));
   section.plots.back().note = "Distance of the pose before and the pose after, divided by the time between.";

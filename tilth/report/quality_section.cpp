@@ -63,7 +63,7 @@ Section quality_section(const RunRecord& record) {
   if (record.loops)
     table.rows.push_back({"residual of loop closures, RMS", number("%.2f sigma", loop_residual(*record.loops))});
   if (!record.scans.rows.empty()) {
-    const Vector6d& variances = record.scans.rows.back().variances;
+    const Vector6d variances = record.scans.rows.back().covariance.diagonal();
     table.rows.push_back(
         {"expected error of the last position", number("%.3f m", std::sqrt(std::max(0.0, variances.tail<3>().sum())))});
   }

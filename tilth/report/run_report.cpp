@@ -3,6 +3,7 @@
 
 #include <tilth/report/run_report.hpp>
 #include <tilth/report/run_sections.hpp>
+#include <tilth/run/base_frame.hpp>
 #include <tilth/run/evaluation_report.hpp>
 #include <tilth/run/summary_json.hpp>
 #include <tilth/run/track_record.hpp>
@@ -47,8 +48,8 @@ std::vector<Fact> facts_of(const RunRecord& record, const std::optional<JudgedRu
   return facts;
 }
 
-void add_loops(const LoopRecord& loops, MapView& map) {
-  map.paths.push_back({kBeforeLoops, loops.odometry, false});
+void add_loops(const LoopRecord& loops, const std::optional<Pose>& T_base_lidar, MapView& map) {
+  map.paths.push_back({kBeforeLoops, poses_of_base(loops.odometry, T_base_lidar), false});
   map.keyframes = loops.keyframe_scans;
   map.closures = accepted_scans(loops);
 }
@@ -80,10 +81,10 @@ Report report_of(const RunRecord& record, std::size_t map_points) {
   if (judged_run) report.notes = notices_of(judged_run->aligned);
   report.map = MapView{pack_map(record.map.points(), map_points),
                        pack_map(record.map.moving(), std::min(map_points, kOneLayer)),
-                       {{record.pipeline, record.trajectory, false}},
+                       {{record.pipeline, poses_of_base(record.trajectory, record.T_base_lidar), false}},
                        {},
                        {}};
-  if (record.loops) add_loops(*record.loops, *report.map);
+  if (record.loops) add_loops(*record.loops, record.T_base_lidar, *report.map);
   if (judged_run) report.map->paths.push_back({"truth", judged_run->truth_in_world, true});
   report.sections.push_back(path_section(record, judged_run));
   if (judged_run) report.sections.push_back(accuracy_section(record, *judged_run));

@@ -49,7 +49,7 @@ std::vector<Curve> deviations(const RunRecord& record, int first, double unit) {
   std::vector<Curve> curves;
   for (int i = 0; i < 3; ++i) {
     curves.push_back(column(record, std::string(1, "xyz"[i]), [=](const ScanRow& row) {
-      return unit * std::sqrt(std::max(0.0, row.variances[first + i]));
+      return unit * std::sqrt(std::max(0.0, row.covariance(first + i, first + i)));
     }));
   }
   return curves;

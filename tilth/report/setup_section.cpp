@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include <tilth/report/run_sections.hpp>
+#include <tilth/run/base_frame.hpp>
+#include <tilth/run/level_floor.hpp>
 
 namespace tilth {
 namespace {
@@ -26,7 +28,9 @@ Table run_table(const RunRecord& record) {
                 {"pipeline", record.pipeline},
                 {"ended", record.ended},
                 {"Tilth", record.version},
+                {"poses of", body_of(record.T_base_lidar)},
                 {"machine", record.machine}};
+  if (record.floor) table.rows.push_back({"levelled", floor_sentence(*record.floor)});
   return table;
 }
 

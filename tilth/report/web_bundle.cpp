@@ -14,6 +14,9 @@ TILTH_EMBED(style, TILTH_WEB_SOURCE "/report.css")
 TILTH_EMBED(script, TILTH_WEB_BUILD "/report.js")
 TILTH_EMBED(script_style, TILTH_WEB_BUILD "/report.css")
 TILTH_EMBED(script_digest, TILTH_WEB_BUILD "/report.sha256")
+TILTH_EMBED(view_script, TILTH_WEB_BUILD "/view.js")
+TILTH_EMBED(view_style, TILTH_WEB_BUILD "/view.css")
+TILTH_EMBED(view_digest, TILTH_WEB_BUILD "/view.sha256")
 
 namespace tilth {
 
@@ -22,6 +25,13 @@ WebBundle web_bundle() {
           {tilth_web_script, tilth_web_script_end},
           {tilth_web_script_style, tilth_web_script_style_end},
           {tilth_web_script_digest, tilth_web_script_digest_end}};
+}
+
+WebBundle view_bundle() {
+  return {{tilth_web_style, tilth_web_style_end},
+          {tilth_web_view_script, tilth_web_view_script_end},
+          {tilth_web_view_style, tilth_web_view_style_end},
+          {tilth_web_view_digest, tilth_web_view_digest_end}};
 }
 
 }  // namespace tilth

@@ -1,4 +1,5 @@
 #include <tilth/core/error.hpp>
+#include <tilth/run/base_frame.hpp>
 #include <tilth/run/ended_run.hpp>
 
 namespace tilth {
@@ -14,7 +15,10 @@ std::vector<std::string> judge_by(const TruthFile& truth, RunRecord& record) {
   options.align = Alignment::origin;
   options.association.interpolate = truth.poses.has_stamps;  // truth and poses seldom share their stamps
   try {
-    record.evaluation = judge(truth, {record.trajectory, true, {}}, options);
+    const bool of_lidar = truth.T_camera_lidar.has_value();
+    record.evaluation =
+        judge(truth, {of_lidar ? record.trajectory : poses_of_base(record.trajectory, record.T_base_lidar), true, {}},
+              options);
   } catch (const Error& e) {
     return {e.what()};
   }

@@ -13,7 +13,8 @@ namespace tilth {
 void require_scans(const RunRecord& record);
 
 /// Evaluates the run; what prevents that is returned, one sentence each. Whatever the truth's own frame, the run's
-/// world is its first LiDAR pose: so the first poses are made equal.
+/// world is its first pose: so the first poses are made equal. The truth is that of base_link where the run knows it,
+/// but of the LiDAR where KITTI's calibration goes with it.
 std::vector<std::string> judge_by(const TruthFile& truth, RunRecord& record);
 
 }  // namespace tilth

@@ -6,6 +6,7 @@
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/ply.hpp>
 #include <tilth/io/trajectory_file.hpp>
+#include <tilth/run/base_frame.hpp>
 #include <tilth/run/file_sinks.hpp>
 #include <tilth/run/run_record.hpp>
 #include <tilth/run/summary_json.hpp>
@@ -28,11 +29,15 @@ const LocalizationRecord& localized(const Path& path, const RunRecord& run) {
 }  // namespace
 
 std::unique_ptr<Sink> tum_sink(const Path& path) {
-  return file_sink(path, [](const Path& to, const RunRecord& run) { write_tum(to, run.trajectory); });
+  return file_sink(path, [](const Path& to, const RunRecord& run) {
+    write_tum(to, poses_of_base(run.trajectory, run.T_base_lidar));
+  });
 }
 
 std::unique_ptr<Sink> kitti_sink(const Path& path) {
-  return file_sink(path, [](const Path& to, const RunRecord& run) { write_kitti_poses(to, run.trajectory); });
+  return file_sink(path, [](const Path& to, const RunRecord& run) {
+    write_kitti_poses(to, poses_of_base(run.trajectory, run.T_base_lidar));
+  });
 }
 
 std::unique_ptr<Sink> scan_table_sink(const Path& path) {
@@ -66,7 +71,9 @@ std::unique_ptr<Sink> moving_sink(const Path& path) {
 }
 
 std::unique_ptr<Sink> odometry_trajectory_sink(const Path& path) {
-  return file_sink(path, [](const Path& to, const RunRecord& run) { write_tum(to, loops_of(to, run).odometry); });
+  return file_sink(path, [](const Path& to, const RunRecord& run) {
+    write_tum(to, poses_of_base(loops_of(to, run).odometry, run.T_base_lidar));
+  });
 }
 
 std::unique_ptr<Sink> closures_sink(const Path& path) {
@@ -78,11 +85,13 @@ std::unique_ptr<Sink> pose_graph_sink(const Path& path) {
 }
 
 std::unique_ptr<Sink> localization_sink(const Path& path) {
-  return file_sink(path, [](const Path& to, const RunRecord& run) { write_localization(to, localized(to, run)); });
+  return file_sink(
+      path, [](const Path& to, const RunRecord& run) { write_localization(to, localized(to, run), run.T_base_lidar); });
 }
 
 std::unique_ptr<Sink> hypotheses_sink(const Path& path) {
-  return file_sink(path, [](const Path& to, const RunRecord& run) { write_hypotheses(to, localized(to, run)); });
+  return file_sink(
+      path, [](const Path& to, const RunRecord& run) { write_hypotheses(to, localized(to, run), run.T_base_lidar); });
 }
 
 }  // namespace tilth

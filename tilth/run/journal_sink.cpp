@@ -2,11 +2,14 @@
 #include <chrono>
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include <tilth/core/error.hpp>
 #include <tilth/io/input_file.hpp>
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/trajectory_file.hpp>
+#include <tilth/run/base_frame.hpp>
 #include <tilth/run/journal_sink.hpp>
 #include <tilth/run/summary_json.hpp>
 
@@ -45,6 +48,19 @@ std::string first_line(const fs::path& path) {
   return std::string(text.substr(0, text.find('\n') + 1));
 }
 
+/// Poses of two bodies make no trajectory: where the folder says of which its poses are, it must be the same.
+void require_same_mount(const fs::path& summary, const RunRecord& record) {
+  if (!fs::exists(summary)) return;
+  const std::vector<std::byte> bytes = read_file(summary);
+  const auto before = nlohmann::json::parse(as_text(bytes), nullptr, false);
+  const auto frames = before.is_object() ? before.value("frames", nlohmann::json()) : nlohmann::json();
+  const auto mount = frames.is_object() ? frames.value("T_base_lidar", nlohmann::json()) : nlohmann::json();
+  const auto now = record.T_base_lidar ? nlohmann::json(mount_numbers(*record.T_base_lidar)) : nlohmann::json();
+  if (mount == now) return;
+  throw Error(summary.string(), "has T_base_lidar " + mount.dump() + ", this run " + now.dump() +
+                                    ": it can only be resumed with the same --base-from-lidar");
+}
+
 }  // namespace
 
 bool holds_run(const fs::path& folder) {
@@ -52,8 +68,9 @@ bool holds_run(const fs::path& folder) {
 }
 
 std::vector<std::string> continue_run(const fs::path& folder, RunRecord& record) {
+  require_same_mount(folder / kSummary, record);
   keep_whole_lines(folder / kRows);
-  record.trajectory = read_tum(folder / kPoses);
+  record.trajectory = poses_of_lidar(read_tum(folder / kPoses), record.T_base_lidar);
   if (!fs::exists(folder / kMap)) return {folder.string() + " has no map yet: the new one begins here"};
   record.map.add(map_in_world(folder / kMap), Pose::Identity(), 0.0, {});
   return {};
@@ -106,7 +123,7 @@ void JournalSink::append(const RunRecord& record) {
     columns_known_ = true;
   }
   rows_.write_line(scan_table_row(record.scans.rows.back(), index, stages.size()));
-  poses_.write_line(tum_line(pose));
+  poses_.write_line(tum_line({pose.stamp, pose_of_base(pose.T_world_lidar, record.T_base_lidar)}));
 }
 
 /// Begins to write map.pcd and summary.json from a copy, unless the last time is not over yet. What went wrong then, or

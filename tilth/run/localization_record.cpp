@@ -3,14 +3,15 @@
 
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/text_lines.hpp>
+#include <tilth/run/base_frame.hpp>
 #include <tilth/run/localization_record.hpp>
 
 namespace tilth {
 namespace {
 
-std::string pose_cells(const Pose& T_map_lidar) {
-  const Eigen::Quaterniond q = Eigen::Quaterniond(T_map_lidar.linear()).normalized();
-  const Eigen::Vector3d t = T_map_lidar.translation();
+std::string pose_cells(const Pose& T_map_body) {
+  const Eigen::Quaterniond q = Eigen::Quaterniond(T_map_body.linear()).normalized();
+  const Eigen::Vector3d t = T_map_body.translation();
   std::string text;
   for (const double value : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()}) text += ',' + exact_text(value);
   return text;
@@ -41,7 +42,8 @@ std::vector<double> times_to_answer(const LocalizationRecord& record) {
   return times;
 }
 
-void write_localization(const std::filesystem::path& path, const LocalizationRecord& record) {
+void write_localization(const std::filesystem::path& path, const LocalizationRecord& record,
+                        const std::optional<Pose>& T_base_lidar) {
   std::ostringstream out;
   out << "stamp,state,begun,x,y,z,qx,qy,qz,qw,overlap,through,hypotheses,ms";
   constexpr const char* kAxes[] = {"rx", "ry", "rz", "tx", "ty", "tz"};
@@ -50,19 +52,21 @@ void write_localization(const std::filesystem::path& path, const LocalizationRec
   out << '\n' << std::setprecision(9);
   for (const LocalizationRow& row : record.rows) {
     out << exact_text(row.stamp) << ',' << names_of(row.state)[std::size_t(row.state)] << ',' << row.begun;
-    out << (row.T_map_lidar ? pose_cells(*row.T_map_lidar) : ",,,,,,,");
+    out << (row.T_map_lidar ? pose_cells(pose_of_base(*row.T_map_lidar, T_base_lidar)) : ",,,,,,,");
     out << ',' << row.overlap << ',' << row.through << ',' << row.hypotheses.size() << ',' << row.milliseconds;
+    const Matrix6d covariance = covariance_of_base(row.covariance, T_base_lidar);
     for (int i = 0; i < 6; ++i)
       for (int j = i; j < 6; ++j) {
         out << ',';
-        if (row.T_map_lidar) out << row.covariance(i, j);
+        if (row.T_map_lidar) out << covariance(i, j);
       }
     out << '\n';
   }
   write_text(path, out.str());
 }
 
-void write_hypotheses(const std::filesystem::path& path, const LocalizationRecord& record) {
+void write_hypotheses(const std::filesystem::path& path, const LocalizationRecord& record,
+                      const std::optional<Pose>& T_base_lidar) {
   std::ostringstream out;
   out << "stamp,state,rank,x,y,z,qx,qy,qz,qw,likeness,against,in_favour,overlap,landmarks,fitness,through,"
          "degenerate_directions\n"
@@ -71,9 +75,9 @@ void write_hypotheses(const std::filesystem::path& path, const LocalizationRecor
     for (std::size_t i = 0; i < row.hypotheses.size(); ++i) {
       const HypothesisRow& h = row.hypotheses[i];
       out << exact_text(row.stamp) << ',' << names_of(row.state)[std::size_t(row.state)] << ',' << i
-          << pose_cells(h.T_map_lidar) << ',' << h.likeness << ',' << h.against << ',' << h.in_favour << ','
-          << h.overlap << ',' << h.landmarks << ',' << h.fitness << ',' << h.through << ',' << h.degenerate_directions
-          << '\n';
+          << pose_cells(pose_of_base(h.T_map_lidar, T_base_lidar)) << ',' << h.likeness << ',' << h.against << ','
+          << h.in_favour << ',' << h.overlap << ',' << h.landmarks << ',' << h.fitness << ',' << h.through << ','
+          << h.degenerate_directions << '\n';
     }
   }
   write_text(path, out.str());

@@ -63,7 +63,7 @@ class LocalizationLoop {
     to.milliseconds = row.register_ms, to.begun = begins_;
     for (const PlaceFit& fit : located.hypotheses) to.hypotheses.push_back(row_of(fit, located.hypotheses.front()));
     if (located.T_map_lidar) {
-      row.variances = located.covariance.diagonal();
+      row.covariance = located.covariance;
       record_.trajectory.push_back({to.stamp, *located.T_map_lidar});
       record_.scans.rows.push_back(std::move(row));
     }

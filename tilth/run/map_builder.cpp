@@ -130,6 +130,14 @@ PointRecords MapBuilder::records() const {
   return to_records(all);
 }
 
+PointRecords MapBuilder::thinned_records(std::size_t most) const {
+  const std::size_t every = std::max<std::size_t>(1, (size() + most - 1) / most);
+  std::vector<MapPoint> chosen;
+  for (std::size_t i = 0; i < size(); i += every)
+    chosen.push_back(i < points_.size() ? points_[i] : open_[i - points_.size()].point);
+  return to_records(chosen);
+}
+
 PointRecords to_records(std::span<const MapPoint> points) {
   PointRecords records;
   for (const char* name : {"x", "y", "z", "intensity"}) {

@@ -77,6 +77,10 @@ class MapBuilder {
   /// seen through so far is left out.
   PointRecords records() const;
 
+  /// The map for a look at it: every n-th point, so that no more than `most` > 0 remain, also of those of which is not
+  /// decided yet whether they moved. O(most).
+  PointRecords thinned_records(std::size_t most) const;
+
  private:
   /// A point of which is not decided yet whether it moved.
   struct OpenPoint {

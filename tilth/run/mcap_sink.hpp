@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include <tilth/run/run_messages.hpp>
 #include <tilth/run/sink.hpp>
 
 namespace tilth {
@@ -21,20 +23,19 @@ class McapSink final : public Sink {
   McapSink(const McapSink&) = delete;
   McapSink& operator=(const McapSink&) = delete;
 
-  /// The scan as the sensor would have seen it all at once at the stamp of its pose, in its own frame. What fails is
-  /// kept for finish().
+  /// The scan. What fails is kept for finish().
   void take(const Scan& scan, const OdometryResult& result, const RunRecord& record) override;
 
-  /// Odometry and transform of each pose, path, map; only then does the file stand under its name. Throws Error where
-  /// it cannot be written in full.
+  /// Odometry, transform and diagnostics of each pose, path, map; only then does the file stand under its name. Throws
+  /// Error where it cannot be written in full.
   void finish(const RunRecord& record) override;
 
  private:
-  void write_scan(const Scan& scan, const OdometryResult& result);
+  void write(RunTopic topic, double stamp, const std::vector<std::byte>& message);
 
   std::unique_ptr<McapWriter> file_;
   std::uint64_t points_;
-  std::uint32_t path_topic_, map_topic_, tf_topic_, odometry_topic_, scan_topic_;
+  std::vector<std::uint32_t> topics_;  // by RunTopic
   std::string problem_;
 };
 

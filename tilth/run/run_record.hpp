@@ -9,6 +9,7 @@
 #include <tilth/core/options.hpp>
 #include <tilth/core/trajectory.hpp>
 #include <tilth/evaluation/evaluate.hpp>
+#include <tilth/freespace/floor_plane.hpp>
 #include <tilth/run/localization_record.hpp>
 #include <tilth/run/loop_record.hpp>
 #include <tilth/run/map_builder.hpp>
@@ -26,7 +27,10 @@ struct RunRecord {
   std::vector<SkippedScan> skipped;    ///< records of the input that have no pose, and why
   std::vector<std::string> notices;    ///< of the source: packets lost, scans dropped ...; one sentence each
   std::string ended;                   ///< why no more scans were registered: "end of input", "interrupted" ...
-  Trajectory trajectory;
+  Trajectory trajectory;               ///< of the LiDAR; base_frame.hpp makes poses of base_link of it
+  std::optional<Pose>
+      T_base_lidar;                 ///< the LiDAR on the robot, where that is known: the world then begins at base_link
+  std::optional<FloorPlane> floor;  ///< that the world was levelled by, before that
   ScanTable scans;
   MapBuilder map{MapOptions{}};
   std::optional<BeamCalibration> beams;  ///< what the drive shows of the sensor's beams

@@ -18,7 +18,7 @@ ScanRow row_of(const Scan& scan, const OdometryResult& result) {
   row.error = result.alignment.error;
   row.degenerate_directions = result.alignment.degenerate_directions;
   row.track = result.track;
-  row.variances = result.covariance.value_or(result.alignment.covariance).diagonal();
+  row.covariance = result.covariance.value_or(result.alignment.covariance);
   return row;
 }
 

@@ -27,7 +27,7 @@ void write_row(std::ostream& out, const ScanRow& row, std::size_t index, std::si
   }
   out << ',' << row.weight << ',' << row.iterations << ',' << int(row.converged) << ',' << row.error << ','
       << row.degenerate_directions << ',' << names_of(row.track.state)[std::size_t(row.track.state)];
-  for (const double variance : row.variances) out << ',' << variance;
+  for (const double variance : row.covariance.diagonal()) out << ',' << variance;
   out << std::fixed << std::setprecision(4);
   for (const double ms : {row.read_ms, row.register_ms, row.map_ms, row.register_cpu_ms}) out << ',' << ms;
   for (std::size_t i = 0; i < stages; ++i) out << ',' << (i < row.stage_ms.size() ? row.stage_ms[i] : 0.0);

@@ -21,7 +21,7 @@ struct ScanRow {
   double error = 0.0;
   int degenerate_directions = 0;
   Track track;
-  Vector6d variances = Vector6d::Zero();  ///< [rad^2, m^2] of the pose, in the LiDAR frame
+  Matrix6d covariance = Matrix6d::Zero();  ///< [rad^2, m^2] of the LiDAR's pose, in its own frame
   double read_ms = 0.0, register_ms = 0.0, map_ms = 0.0;
   double register_cpu_ms = 0.0;  ///< [ms] CPU time of the thread that registers: with one thread, of all the work
   std::vector<double> stage_ms;  ///< of register_ms, by ScanTable::stages; stages not named take no time

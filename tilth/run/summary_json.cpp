@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <numbers>
 
 #include <nlohmann/json.hpp>
 
 #include <tilth/evaluation/distribution.hpp>
+#include <tilth/run/base_frame.hpp>
 #include <tilth/run/beam_record.hpp>
 #include <tilth/run/evaluation_report.hpp>
 #include <tilth/run/summary_json.hpp>
@@ -106,13 +108,25 @@ Json localization(const LocalizationRecord& record) {
           {"intervals", std::move(intervals)}};
 }
 
+Json frames(const RunRecord& record) {
+  Json json = {{"poses_of", body_of(record.T_base_lidar)}};
+  if (record.T_base_lidar) json["T_base_lidar"] = mount_numbers(*record.T_base_lidar);
+  if (const auto& floor = record.floor) {
+    json["levelled_by"] = {{"tilt_deg", tilt_of(*floor) * 180 / std::numbers::pi},
+                           {"depth_m", floor->depth},
+                           {"thickness_m", floor->thickness},
+                           {"points", floor->points}};
+  }
+  return json;
+}
+
 }  // namespace
 
 RunFigures figures_of(const RunRecord& record) {
   RunFigures figures;
   figures.register_ms = over_scans(record.scans, [](const ScanRow& row) { return row.register_ms; });
   figures.registering_seconds = 1e-3 * figures.register_ms.mean * double(record.scans.rows.size());
-  const Trajectory& trajectory = record.trajectory;
+  const Trajectory trajectory = poses_of_base(record.trajectory, record.T_base_lidar);
   if (trajectory.size() < 2) return figures;
   const double between = trajectory.back().stamp - trajectory.front().stamp;
   figures.recorded_seconds = between + between / double(trajectory.size() - 1);
@@ -132,6 +146,7 @@ std::string summary_json(const RunRecord& record) {
                   {"decisions", record.decisions},
                   {"pipeline", record.pipeline},
                   {"options", options(record)},
+                  {"frames", frames(record)},
                   {"map_voxel_m", record.map.voxel()},
                   {"track", track(record.scans)},
                   {"counts", counts(record)},

@@ -1,0 +1,48 @@
+// A run as ROS 2 messages (CDR): what run.mcap holds, and what a live view sends. Frames: world, the body that the
+// poses are of (base_link, else lidar), lidar. About 0.5 ms a scan of 5,000 points, 1 us a pose.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tilth/core/point_records.hpp>
+#include <tilth/core/trajectory.hpp>
+#include <tilth/messages/ros2_definitions.hpp>
+#include <tilth/run/run_record.hpp>
+
+namespace tilth {
+
+struct OdometryResult;
+struct Scan;
+
+enum class RunTopic : std::uint8_t { path, map, tf, odometry, scan, diagnostics };
+inline constexpr std::size_t kRunTopics = 6;
+
+struct NamedTopic {
+  std::string name;  ///< "/odometry"
+  Ros2Type type;
+};
+
+/// In the order of RunTopic.
+std::vector<NamedTopic> run_topics();
+
+/// [ns] since 1970 of a stamp; 0 before.
+std::uint64_t nanoseconds(double stamp);
+
+/// All throw Error where a stamp lies outside [0, 2^32 - 1) s. Poses of the LiDAR go in, those of the body come out.
+/// The scan is as the sensor would have seen it all at once at the stamp of its pose, in its own frame, without
+/// outliers: every n-th point, so that no more than `points` remain.
+std::vector<std::byte> scan_message(const Scan& scan, const OdometryResult& result, std::uint64_t points);
+std::vector<std::byte> tf_message(const StampedPose& pose, const std::optional<Pose>& T_base_lidar);
+std::vector<std::byte> odometry_message(const StampedPose& pose, const Matrix6d& covariance,
+                                        const std::optional<Pose>& T_base_lidar);
+std::vector<std::byte> path_message(const Trajectory& poses, const std::optional<Pose>& T_base_lidar);
+std::vector<std::byte> map_message(double stamp, PointRecords map_in_world);
+
+/// The state of the track, and what the scan took and gave.
+std::vector<std::byte> diagnostics_message(const ScanRow& row);
+
+}  // namespace tilth

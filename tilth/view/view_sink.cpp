@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <exception>
+
+#include <tilth/core/error.hpp>
+#include <tilth/odometry/odometry.hpp>
+#include <tilth/run/run_messages.hpp>
+#include <tilth/run/run_record.hpp>
+#include <tilth/view/view_sink.hpp>
+
+namespace tilth {
+namespace {
+
+constexpr std::uint64_t kScanPoints = 5000;
+constexpr std::size_t kMapPoints = 100'000;
+constexpr std::size_t kPathPoses = 5000;
+constexpr double kBetweenWholes = 2.0;  // [s] from one path and map to the next
+
+/// Every n-th pose and the last.
+Trajectory thinned(const Trajectory& poses) {
+  const std::size_t every = std::max<std::size_t>(1, poses.size() / kPathPoses);
+  Trajectory some;
+  for (std::size_t i = 0; i < poses.size(); i += every) some.push_back(poses[i]);
+  if (!poses.empty() && some.back().stamp != poses.back().stamp) some.push_back(poses.back());
+  return some;
+}
+
+}  // namespace
+
+void ViewSink::take(const Scan& scan, const OdometryResult& result, const RunRecord& record) {
+  if (!problem_.empty()) return;
+  try {
+    send_scan(scan, result, record);
+    if (sent_whole_ && since_whole_.seconds() < kBetweenWholes) return;
+    send_whole(record);
+  } catch (const std::exception& e) {
+    problem_ = e.what();
+  }
+}
+
+void ViewSink::send_scan(const Scan& scan, const OdometryResult& result, const RunRecord& record) {
+  const StampedPose& pose = record.trajectory.back();
+  const ScanRow& row = record.scans.rows.back();
+  const auto send = [&](RunTopic topic, const auto& message) {
+    if (server_->wanted(topic)) server_->send(topic, pose.stamp, message());
+  };
+  send(RunTopic::tf, [&] { return tf_message(pose, record.T_base_lidar); });
+  send(RunTopic::odometry, [&] { return odometry_message(pose, row.covariance, record.T_base_lidar); });
+  send(RunTopic::diagnostics, [&] { return diagnostics_message(row); });
+  if (!result.filtered.empty()) send(RunTopic::scan, [&] { return scan_message(scan, result, kScanPoints); });
+}
+
+void ViewSink::send_whole(const RunRecord& record) {
+  const bool path = server_->wanted(RunTopic::path), map = server_->wanted(RunTopic::map);
+  if ((!path && !map) || record.trajectory.empty()) return;
+  const double stamp = record.trajectory.back().stamp;
+  if (path) server_->send(RunTopic::path, stamp, path_message(thinned(record.trajectory), record.T_base_lidar));
+  if (map) server_->send(RunTopic::map, stamp, map_message(stamp, record.map.thinned_records(kMapPoints)));
+  since_whole_ = Stopwatch();
+  sent_whole_ = true;
+}
+
+void ViewSink::finish(const RunRecord& record) {
+  if (!problem_.empty()) throw Error("view", problem_);
+  send_whole(record);
+}
+
+}  // namespace tilth
