@@ -97,6 +97,11 @@ TEST(Vls128, FourBlocksMakeAFiring) {
   }
 }
 
+TEST(Vls128, NewerFirmwareIsKnownByTheStepOfItsClock) {
+  const auto payloads = BankedSensor{4, 3, 57.8e-6, 20.8, 0xA1, 0x37, false, false}.turn();
+  EXPECT_EQ(BlockDecoder(packets_of(payloads), {}).format().name, "vls128_2020");
+}
+
 TEST(Vls128, TwoEchoesStandBesideOneAnotherAndOnePacketIsOneFiring) {
   const BankedSensor sensor{4, 1, 53.3e-6, 19.2, 0xA1, 0x39, true, true};
   const PointCloud cloud = only_scan(sensor.turn()).cloud;

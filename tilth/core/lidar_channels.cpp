@@ -47,12 +47,12 @@ LidarChannels vlp32c_channels() {
   return channels;
 }
 
-LidarChannels vls128_channels() {
+LidarChannels vls128_channels(double group_us) {
   LidarChannels channels{kVls128Elevations, {}, {}};
   for (std::size_t i = 0; i < channels.elevations.size(); ++i) {
     const std::size_t group = i / kLasersAtOnce;
     channels.azimuths.push_back(kVls128Azimuths[i % kLasersAtOnce]);
-    channels.times.push_back(2.665 * double(group + group / 8));
+    channels.times.push_back(group_us * double(group + group / 8));
   }
   return channels;
 }

@@ -15,9 +15,9 @@ struct LidarChannels {
 /// Velodyne VLP-32C: pairs of lasers 2.304 us apart (user manual; ros-drivers/velodyne).
 LidarChannels vlp32c_channels();
 
-/// Velodyne VLS-128: eight lasers at once, 2.665 us apart, a pause as long after the eighth group
-/// (ros-drivers/velodyne).
-LidarChannels vls128_channels();
+/// Velodyne VLS-128: eight lasers at once, `group_us` [us] apart, a pause as long after the eighth group: 2.665
+/// (ros-drivers/velodyne), from firmware 5.2.3 on 2.89 (velodyne_decoder, after the manual's revision 4).
+LidarChannels vls128_channels(double group_us);
 
 /// Velodyne HDL-64E, S2 or S3: nominal angles, the lower block of 32 behind the upper one; both blocks fire together,
 /// eight groups of four lasers (the "laser firing time tables" of the manuals). A unit's own angles lie up to half a

@@ -47,7 +47,7 @@ LidarModel vlp32c() {
 }
 
 LidarModel vls128() {
-  return spinning({"vls128", 53.3, 0.004, 0.5, 220}, vls128_channels());
+  return spinning({"vls128", 53.3, 0.004, 0.5, 220}, vls128_channels(2.665));
 }
 
 LidarModel hdl64_s2() {

@@ -32,13 +32,16 @@ PacketFormat calibrated(PacketFormat format) {
 }  // namespace
 
 std::vector<PacketFormat> velodyne_rows() {
-  constexpr PacketFamily usual = PacketFamily::velodyne, two_banks = PacketFamily::velodyne_64;
+  constexpr PacketFamily usual = PacketFamily::velodyne, two_banks = PacketFamily::velodyne_64,
+                         four_banks = PacketFamily::velodyne_128;
   return {
       format_of({"hdl32", "Velodyne HDL-32E", usual, {0x21}, 46.08, 0.002}, evenly_fired(hdl32_degrees(), 1.152)),
       format_of({"vlp16", "Velodyne VLP-16", usual, {0x22, 0x21}, 55.296, 0.002}, evenly_fired(kTwoDegrees, 2.304)),
       format_of({"puck_hires", "Velodyne Puck Hi-Res", usual, {0x24}, 55.296, 0.002}, evenly_fired(kPuckHiRes, 2.304)),
       format_of({"vlp32c", "Velodyne VLP-32C", usual, {0x28}, 55.296, 0.004}, vlp32c_channels()),
-      format_of({"vls128", "Velodyne VLS-128", PacketFamily::velodyne_128, {0xA1}, 53.3, 0.004}, vls128_channels()),
+      format_of({"vls128", "Velodyne VLS-128", four_banks, {0xA1}, 53.3, 0.004}, vls128_channels(2.665)),
+      format_of({"vls128_2020", "Velodyne VLS-128, firmware from 5.2.3", four_banks, {0xA1}, 57.8, 0.004},
+                vls128_channels(2.89)),
       calibrated(format_of({"hdl64_s3", "Velodyne HDL-64E S3", two_banks, {}, 57.6, 0.002}, hdl64_s3_channels())),
       calibrated(format_of({"hdl64_s2", "Velodyne HDL-64E S2", two_banks, {}, 48, 0.002}, hdl64_s2_channels())),
   };
