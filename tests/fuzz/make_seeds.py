@@ -346,6 +346,8 @@ def main():
     write("packet_message", "velodyne_cdr", b"\x03" + scan_message(vlp16[:2], True))
     write("packet_message", "lslidar", b"\x00" + struct.pack("<II", 17, 5) + long_packet(0))
     write("packet_message", "pandar", b"\x04" + struct.pack("<II", 17, 5) + hesai_packet(0) + bytes(932) + struct.pack("<I", 568))
+    write("packet_message", "ouster_cdr", b"\x0a\x00\x01\x00\x00" + struct.pack("<I", 880) + ouster_packet(0, 1))
+    write("packet_message", "robosense", b"\x09" + struct.pack("<IIII", 1, 17, 5, 2) + b"rs\x00\x01" + struct.pack("<I", 1248) + robosense_packet(0, True))
     write("rosbag2", "bag.db3", database([cloud_cdr(10), cloud_cdr(12)]))
     write("mcap", "plain.mcap", mcap([cloud_cdr(10), b"12345"], False))
     write("mcap", "chunked.mcap", mcap([cloud_cdr(10), b"12345"], True))

@@ -88,7 +88,7 @@ inline void rosbag2(Bytes bytes) {
   }
 }
 
-/// The first byte tells type (two bits) and serialisation.
+/// The first byte tells type (three bits) and serialisation.
 inline void packet_message(Bytes bytes) {
   if (bytes.empty()) return;
   const auto kind = std::to_integer<unsigned>(bytes[0]);
@@ -96,6 +96,12 @@ inline void packet_message(Bytes bytes) {
   const char* type = kind & 1 ? (hesai ? "pandar_msgs/PandarScan" : "velodyne_msgs/VelodyneScan")
                               : (hesai ? "pandar_msgs/PandarPacket" : "lslidar_msgs/LslidarPacket");
   const Serialization serialization = kind & 2 ? Serialization::cdr : Serialization::ros1;
+  if (kind & 8) {
+    const char* buffer = kind & 1 ? "rslidar_msg/RslidarPacket" : "ouster_ros/PacketMsg";
+    for (const StampedPayload& packet : parse_packet_message(buffer, bytes.subspan(1), serialization))
+      require(packet.payload.size() <= bytes.size());
+    return;
+  }
   for (const StampedPayload& packet : parse_packet_message(type, bytes.subspan(1), serialization))
     require(hesai ? packet.payload.size() <= 1500 : packet.payload.size() == 1206 || packet.payload.size() == 1212);
 }

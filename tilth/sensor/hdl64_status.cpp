@@ -9,7 +9,7 @@ namespace tilth {
 namespace {
 
 constexpr std::size_t kLasers = 64, kTable = 1820, kRow = 7, kLaserSize = 28, kLaserUsed = 21, kFirstLaser = 7,
-                      kDate = 1792;
+                      kDate = 1792, kDateSize = 6;
 constexpr std::string_view kUnit = "UNIT#";
 constexpr std::string_view kNamed = "HMSDNYGTV";  ///< types of packets whose value is no byte of the table
 constexpr std::uint8_t kWarning = 'W';            ///< type of a byte of the table that only an S3 sends
@@ -69,6 +69,8 @@ std::optional<UnitCalibration> hdl64_calibration(std::span<const StatusByte> byt
   if (!table) return std::nullopt;
   const auto told = std::uint16_t(signed_at(*table, kTable - 2));
   if (told != (s3 ? checksum(*table) : kTable)) return std::nullopt;
+  const auto unset = [](std::uint8_t byte) { return byte == 0xFF; };
+  if (std::all_of(table->begin() + kDate, table->begin() + kDate + kDateSize, unset)) return std::nullopt;
   UnitCalibration unit{"its packets", std::vector<LaserCalibration>(kLasers)};
   for (std::size_t i = 0; i < kLasers; ++i) {
     const std::size_t at = kFirstLaser + i * kLaserSize;
@@ -97,7 +99,7 @@ std::vector<StatusByte> hdl64_status_bytes(const UnitCalibration& unit, bool s3)
     table[at] = std::uint8_t(i);
     for (std::size_t field = 0; field < values.size(); ++field) put(table, at + 1 + 2 * field, values[field]);
   }
-  std::fill_n(table.begin() + kDate, 6, std::uint8_t(0xFF));  // it was calibrated nobody knows when
+  table[kDate + 1] = table[kDate + 2] = 1;  // calibrated on the first day of 2000
   put(table, kTable - 2, s3 ? double(std::int16_t(checksum(table))) : double(kTable));
   std::vector<StatusByte> bytes;
   for (std::size_t i = 0; i < kTable; ++i) {

@@ -19,7 +19,8 @@ struct StatusByte {
 inline constexpr std::size_t kPacketsOfCalibration = 4160;  ///< that tell the whole of it, wherever they begin
 
 /// The calibration that these packets tell, one byte each, none of them missing; nothing where they are too few, or
-/// the table's checksum is wrong. The length tells an S2's table, a CRC-16 an S3's.
+/// the table's checksum is wrong, or the unit was never calibrated (its date is not set). The length tells an S2's
+/// table, a CRC-16 an S3's.
 std::optional<UnitCalibration> hdl64_calibration(std::span<const StatusByte> bytes);
 
 /// The status bytes of kPacketsOfCalibration packets that tell `unit`, of 64 lasers, rounded to 0.01 degrees and 1 mm.
