@@ -27,5 +27,6 @@ void add_calibrate(CLI::App& app, int& exit_code);
 void add_map(CLI::App& app, int& exit_code);
 void add_localize(CLI::App& app, int& exit_code);
 void add_job(CLI::App& app, int& exit_code);
+void add_sensors(CLI::App& app, int& exit_code);
 
 }  // namespace tilth::app

@@ -119,7 +119,7 @@ int convert_packets(const ConvertArguments& arguments, Console& console) {
   while (interrupted() == 0) {
     const std::optional<ReceivedPacket> packet = feed.next();
     if (!packet) break;
-    const std::uint16_t port = factory_port(kind_of(packet->payload));
+    const std::uint16_t port = factory_port(packet->payload);
     file.write(packet->arrival.value_or(0.0), {packet->sender, 0xFFFFFFFF, port, port}, packet->payload);
     console.progress(++packets, std::nullopt);
   }

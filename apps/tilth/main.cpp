@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   tilth::app::add_map(app, exit_code);
   tilth::app::add_localize(app, exit_code);
   tilth::app::add_job(app, exit_code);
+  tilth::app::add_sensors(app, exit_code);
   try {
     std::vector<std::string> arguments = tilth::app::spread_settings({argv + 1, std::size_t(argc - 1)});
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them

@@ -1,4 +1,5 @@
-// Simulated scans as a network capture of the packets their sensor sends, with Leishen's device packets once a second.
+// Simulated scans as a network capture of the packets their sensor sends, with Leishen's device packets once a second,
+// and beside it the JSON that an Ouster's packets need.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +12,13 @@ namespace tilth::app {
 class PacketRecording {
  public:
   /// Throws Error where `lidar` has no packets.
-  PacketRecording(const std::filesystem::path& path, const LidarModel& lidar) : stream_(lidar), file_(path) {}
+  PacketRecording(const std::filesystem::path& path, const LidarModel& lidar);
 
   void write(const Scan& scan);
   void close() { file_.close(); }
 
  private:
+  LidarModel lidar_;
   PacketStream stream_;
   PcapWriter file_;
 };

@@ -53,9 +53,10 @@ class Pace {
   Seconds latest_{0.0};
 };
 
-/// Kinds of packets keep the distance of their factory ports.
+/// Device packets go to the next port, position packets as far off as a Velodyne sends them.
 std::uint16_t port_of(PacketKind kind, const UdpAddress& to) {
-  const int port = int(to.port) + int(factory_port(kind)) - int(factory_port(PacketKind::data));
+  const int beside = kind == PacketKind::device ? 1 : kind == PacketKind::position ? 8308 - 2368 : 0;
+  const int port = int(to.port) + beside;
   return std::uint16_t(port <= 65535 ? port : to.port);
 }
 

@@ -80,10 +80,11 @@ void add_simulate(CLI::App& app, int&) {
       ->required();
   command->add_option("--out", arguments->out, "Folder to write to")->required();
   command->add_option("--format", arguments->format,
-                      "pcd (default), kitti, bag or pcap (the packets of vlp16, hdl32 or leishen_c16)");
+                      "pcd (default), kitti, bag or pcap (the packets of the sensor, where `tilth sensors` lists it)");
   add_settings(*command, arguments->settings, "Any options listed below");
-  add_setting(*command, *arguments, "sensor",
-              "leishen_c16, vlp16, hdl32, hdl64, quanergy_m8, os1_64, ruby_128 or rosette");
+  std::string lidars;
+  for (const std::string_view name : lidar_names()) lidars += (lidars.empty() ? "" : ", ") + std::string(name);
+  add_setting(*command, *arguments, "sensor", lidars);
   add_setting(*command, *arguments, "seed", "Of the scene and of the noise");
   add_setting(*command, *arguments, "duration", "[s] at most");
   add_setting(*command, *arguments, "noise", "[m] standard deviation of a range");

@@ -58,8 +58,111 @@ def position_packet():
 
 
 def stream(payloads):
-    kinds = {1206: 0, 1212: 1, 512: 2, 568: 3}
+    kinds = {1206: 0, 1212: 1, 512: 2, 568: 3, 1080: 4, 1072: 5, 1194: 6, 1262: 7, 1248: 8}
     return b"".join(struct.pack("<BI", kinds[len(p)], 100 + i) + p for i, p in enumerate(payloads))
+
+
+def banked_packet(k, flags, period_us, tail):
+    out = b""
+    for block in range(12):
+        azimuth = 3000 * (k * (12 // len(flags)) + block // len(flags)) % 36000
+        out += b"\xff" + bytes([flags[block % len(flags)]]) + struct.pack("<H", azimuth)
+        out += b"".join(struct.pack("<HB", 3000 + 10 * slot, slot) for slot in range(32))
+    return out + struct.pack("<I", round(1e8 + k * (12 // len(flags)) * period_us)) + tail
+
+
+def pandar_block(azimuth, lasers, head=b"", reserved=b""):
+    return head + struct.pack("<H", azimuth % 36000) + b"".join(struct.pack("<HB", 500 + i, i) + reserved for i in range(lasers))
+
+
+def xt32_packet(k):
+    body = b"".join(pandar_block(4500 * (8 * k + b), 32, reserved=b"\0") for b in range(8))
+    return bytes.fromhex("eeff06010000200800040101") + body + bytes(10) + struct.pack("<BH6BIBI", 0x37, 600, 124, 1, 1, 0, 0, 0, 400 * k, 0x42, k)
+
+
+def qt64_packet(k):
+    body = b"".join(pandar_block(4500 * (4 * k + b), 64, reserved=b"\0") for b in range(4))
+    return bytes.fromhex("eeff03020000400400040100") + body + bytes(10) + struct.pack("<HIBB6BI", 600, 667 * k, 0x37, 0, 124, 1, 1, 0, 0, 0, k)
+
+
+def pandar64_packet(k):
+    body = b"".join(pandar_block(4500 * (6 * k + b), 64) for b in range(6))
+    return bytes.fromhex("eeff400600040000") + body + bytes(8) + struct.pack("<HIBB6B", 600, 333 * k, 0x37, 0, 24, 1, 1, 0, 0, 0)
+
+
+def pandar40p_packet(k):
+    body = b"".join(pandar_block(4500 * (10 * k + b), 40, b"\xee\xff") for b in range(10))
+    return body + bytes(8) + struct.pack("<HIBB6B", 600, 556 * k, 0x39, 0, 24, 1, 1, 0, 0, 0)
+
+
+def robosense_packet(k, helios):
+    head = bytes.fromhex("55aa055a0001" if helios else "55aa050a5aa550a0").ljust(20, b"\0")
+    us = 1332 * k
+    time = struct.pack(">HII", 0, 1700000000, us) if helios else bytes([24, 1, 1, 0, 0, 0]) + struct.pack(">HH", us // 1000, us % 1000)
+    body = b"".join(b"\xff\xee" + struct.pack(">H", 3000 * (12 * k + b) % 36000) + b"".join(struct.pack(">HB", 900 + i, i) for i in range(32))
+                    for b in range(12))
+    return head + time + bytes([1]) + bytes(11) + body + bytes(6)
+
+
+def robosense_device():
+    packet = bytearray(1248)
+    packet[:8] = bytes.fromhex("a5ff005a11115555")
+    packet[8:10], packet[300] = struct.pack(">H", 600), 4
+    for i in range(32):
+        packet[468 + 3 * i:471 + 3 * i] = struct.pack(">BH", i % 2, 100 * i + 50)
+        packet[564 + 3 * i:567 + 3 * i] = struct.pack(">BH", i % 2, 400)
+    return bytes(packet)
+
+
+def ouster_packet(k, profile):
+    columns = b""
+    for i in range(4):
+        column = 4 * k + i
+        pixels = {0: struct.pack("<IHHHH", 5000, 9, 9, 9, 0), 1: struct.pack("<IBBHHH", 5000, 9, 0, 9, 9, 0),
+                  2: struct.pack("<IIHHHH", 5000 | 9 << 24, 6000 | 8 << 24, 9, 9, 9, 0), 3: struct.pack("<HBB", 600, 9, 9)}[profile]
+        stamp = struct.pack("<QH", 10**9 + 195312 * column, column % 512)
+        if profile == 0:
+            columns += stamp + struct.pack("<HI", column // 512, 0) + 16 * pixels + b"\xff" * 4
+        else:
+            columns += stamp + struct.pack("<H", 1) + 16 * pixels
+    return columns if profile == 0 else struct.pack("<HH", 1, 4 * k // 512) + bytes(28) + columns + bytes(32)
+
+
+def hdl64_status():
+    table = bytearray(b"UNIT#\0\0" + bytes(1813))
+    for i in range(64):
+        table[7 + 28 * i] = i
+        table[8 + 28 * i:22 + 28 * i] = struct.pack("<7h", 200 - 40 * i, i, 1200, 1210, 1220, 200, 26)
+    table[1818:] = struct.pack("<H", 1820)
+    out = b""
+    for i, value in enumerate(table):
+        out += b"".join(bytes([t, 1]) for t in b"HMSDNYGTV") if i % 7 == 0 else b""
+        out += bytes([ord("1") + i % 7, value])
+    return out
+
+
+OUSTER_JSON = """{"prod_line": "OS-1-16", "lidar_mode": "512x10", "beam_altitude_angles": [16, 15, 1], "beam_azimuth_angles": [3, -1, 3],
+"lidar_origin_to_beam_origin_mm": 15.8, "lidar_to_sensor_transform": [-1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 36.18, 0, 0, 0, 1],
+"data_format": {"columns_per_frame": 512, "columns_per_packet": 16, "pixels_per_column": 3, "column_window": [3, 500],
+"udp_profile_lidar": "RNG15_RFL8_NIR8"}}
+"""
+VELODYNE_YAML = """num_lasers: 2
+distance_resolution: 0.002
+lasers:
+- {laser_id: 0, rot_correction: -0.1, vert_correction: 0.02, dist_correction: 1.2, dist_correction_x: 1.3, dist_correction_y: 1.25,
+   vert_offset_correction: 0.2, horiz_offset_correction: 0.026, two_pt_correction_available: true}
+- {laser_id: 1, rot_correction: 0.1, vert_correction: 0.01, dist_correction: 1.1, two_pt_correction_available: false}
+"""
+VELODYNE_XML = """<?xml version="1.0" encoding="UTF-8" standalone="yes" ?>
+<!DOCTYPE boost_serialization>
+<boost_serialization signature="serialization::archive" version="4"><DB class_id="0"><distLSB_>0.2</distLSB_>
+<points_ class_id="8"><count>2</count><item_version>1</item_version>
+<item class_id="9"><px class_id="10"><id_>0</id_><rotCorrection_>-5</rotCorrection_><vertCorrection_>-7</vertCorrection_>
+<distCorrection_>120</distCorrection_><distCorrectionX_>123</distCorrectionX_><distCorrectionY_>121</distCorrectionY_>
+<vertOffsetCorrection_>20</vertOffsetCorrection_><horizOffsetCorrection_>2.6</horizOffsetCorrection_></px></item>
+<item><px><id_>1</id_><rotCorrection_>-3</rotCorrection_><vertCorrection_>-6.9</vertCorrection_></px></item>
+</points_></DB></boost_serialization>
+"""
 
 
 def frame(payload, tag=b""):
@@ -186,6 +289,25 @@ def main():
                            "xt16": [hesai_packet(k) for k in range(4)],
                            "xt16_dual": [hesai_packet(k, 0x39) for k in range(4)]}.items():
         write("packets", name, stream(payloads))
+    vls128, hdl64 = bytes([0xEE, 0xDD, 0xCC, 0xBB]), bytes([0xEE, 0xDD])
+    for name, payloads in {"vls128": [banked_packet(k, vls128, 53.3, b"\x37\xa1") for k in range(6)],
+                           "hdl64": [banked_packet(k, hdl64, 57.6, b"H\x01") for k in range(4)],
+                           "xt32": [xt32_packet(k) for k in range(3)], "qt64": [qt64_packet(k) for k in range(4)],
+                           "pandar64": [pandar64_packet(k) for k in range(3)],
+                           "pandar40p": [pandar40p_packet(k) for k in range(3)],
+                           "rs16": [robosense_packet(k, False) for k in range(3)],
+                           "helios": [robosense_device()] + [robosense_packet(k, True) for k in range(3)]}.items():
+        write("packets", name, stream(payloads))
+    for profile in range(4):
+        payloads = [ouster_packet(k, profile) for k in list(range(120, 130)) + [131, 256]]
+        write("ouster", f"profile_{profile}", bytes([profile]) + b"".join(struct.pack("<BI", 0, 1000 + i) + p for i, p in enumerate(payloads)))
+    write("hdl64_status", "s2", hdl64_status())
+    write("sensor_file", "ouster.json", OUSTER_JSON)
+    write("sensor_file", "velodyne.yaml", VELODYNE_YAML)
+    write("sensor_file", "db.xml", VELODYNE_XML)
+    write("sensor_file", "angles.csv", "Channel,Elevation,Azimuth\n1,14.9,1.2\n2,11.0,-1.2\n")
+    write("sensor_file", "robosense.csv", "14.94,-4.07\t\n13.03,3.63\n")
+    write("device_packet", "robosense", robosense_device())
     frames = [frame(vlp16[0]), frame(position_packet(), b"\x81\x00\x00\x05"), frame(b"other")]
     write("pcap", "ethernet.pcap", capture(frames))
     write("pcap", "small.pcap", capture([frame(b"other"), frame(bytes(40), b"\x81\x00\x00\x05")], True))
@@ -224,6 +346,8 @@ def main():
     write("packet_message", "velodyne_cdr", b"\x03" + scan_message(vlp16[:2], True))
     write("packet_message", "lslidar", b"\x00" + struct.pack("<II", 17, 5) + long_packet(0))
     write("packet_message", "pandar", b"\x04" + struct.pack("<II", 17, 5) + hesai_packet(0) + bytes(932) + struct.pack("<I", 568))
+    write("packet_message", "ouster_cdr", b"\x0a\x00\x01\x00\x00" + struct.pack("<I", 880) + ouster_packet(0, 1))
+    write("packet_message", "robosense", b"\x09" + struct.pack("<IIII", 1, 17, 5, 2) + b"rs\x00\x01" + struct.pack("<I", 1248) + robosense_packet(0, True))
     write("rosbag2", "bag.db3", database([cloud_cdr(10), cloud_cdr(12)]))
     write("mcap", "plain.mcap", mcap([cloud_cdr(10), b"12345"], False))
     write("mcap", "chunked.mcap", mcap([cloud_cdr(10), b"12345"], True))

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sensor_targets.hpp"
 #include "temporary_file.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/io/beam_file.hpp>
@@ -33,44 +34,10 @@
 #include <tilth/messages/packet_message.hpp>
 #include <tilth/messages/point_cloud2.hpp>
 #include <tilth/recording/recording_decoder.hpp>
-#include <tilth/sensor/device_packet.hpp>
-#include <tilth/sensor/packet_decoder.hpp>
 #include <tilth/view/client_feed.hpp>
 #include <tilth/view/visitor.hpp>
 
 namespace tilth::fuzz {
-
-using Bytes = std::span<const std::byte>;
-
-inline void require(bool holds) {
-  if (!holds) std::abort();
-}
-
-inline void check(const Scan& scan, std::size_t beams) {
-  require(std::isfinite(scan.stamp) && !scan.cloud.empty() && scan.cloud.has_rings() && scan.cloud.has_times());
-  for (const float time : scan.cloud.times) require(time >= 0.0F && std::isfinite(time));
-  for (const std::uint16_t ring : scan.cloud.rings) require(ring < beams);
-  for (const Eigen::Vector3d& point : scan.cloud.points) require(point.allFinite());
-}
-
-/// Every packet is stored as a byte of its kind, four of its arrival [ms], and its payload.
-inline void packets(Bytes bytes) {
-  constexpr std::array<std::size_t, 4> kSizes{1206, 1212, 512, 568};
-  std::vector<Packet> all;
-  while (bytes.size() > 5) {
-    const auto kind = std::to_integer<std::size_t>(bytes[0]);
-    std::uint32_t ms = 0;
-    std::memcpy(&ms, bytes.data() + 1, sizeof ms);
-    const std::size_t size = std::min(kSizes[kind % kSizes.size()], bytes.size() - 5);
-    all.push_back({bytes.subspan(5, size), kind < 128 ? std::optional<double>(ms * 1e-3) : std::nullopt});
-    bytes = bytes.subspan(5 + size);
-  }
-  PacketDecoder decoder(all, {"", Echoes::both});
-  for (const Packet& packet : all) {
-    if (const auto scan = decoder.decode(packet)) check(*scan, decoder.format().channels());
-  }
-  if (const auto scan = decoder.finish()) check(*scan, decoder.format().channels());
-}
 
 inline void pcap(Bytes bytes) {
   PcapReader reader(bytes, "fuzzed");
@@ -123,7 +90,7 @@ inline void rosbag2(Bytes bytes) {
   }
 }
 
-/// The first byte tells type (two bits) and serialisation.
+/// The first byte tells type (three bits) and serialisation.
 inline void packet_message(Bytes bytes) {
   if (bytes.empty()) return;
   const auto kind = std::to_integer<unsigned>(bytes[0]);
@@ -131,6 +98,12 @@ inline void packet_message(Bytes bytes) {
   const char* type = kind & 1 ? (hesai ? "pandar_msgs/PandarScan" : "velodyne_msgs/VelodyneScan")
                               : (hesai ? "pandar_msgs/PandarPacket" : "lslidar_msgs/LslidarPacket");
   const Serialization serialization = kind & 2 ? Serialization::cdr : Serialization::ros1;
+  if (kind & 8) {
+    const char* buffer = kind & 1 ? "rslidar_msg/RslidarPacket" : "ouster_ros/PacketMsg";
+    for (const StampedPayload& packet : parse_packet_message(buffer, bytes.subspan(1), serialization))
+      require(packet.payload.size() <= bytes.size());
+    return;
+  }
   for (const StampedPayload& packet : parse_packet_message(type, bytes.subspan(1), serialization))
     require(hesai ? packet.payload.size() <= 1500 : packet.payload.size() == 1206 || packet.payload.size() == 1212);
 }
@@ -172,17 +145,6 @@ inline void beam_file(Bytes bytes) {
   const BeamEstimate estimate = parse_beams({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "fuzzed");
   require(estimate.model.beams() <= 256 && estimate.model.bright > 0 && estimate.covariance.allFinite());
   require(parameters_of(estimate.model, estimate.model.beams()).allFinite());
-}
-
-inline void device_packet(Bytes bytes) {
-  const PacketKind kind = kind_of(bytes);
-  if (kind == PacketKind::device) {
-    for (const double elevation : parse_device_packet(bytes).elevations) require(std::isfinite(elevation));
-  }
-  if (kind == PacketKind::position) {
-    const PositionInfo info = parse_position_packet(bytes);
-    require(std::isfinite(info.since_hour) && (!info.utc || std::isfinite(*info.utc)));
-  }
 }
 
 inline void g2o(Bytes bytes) {
@@ -242,6 +204,9 @@ inline constexpr std::array kTargets{
     Target{"mcap", mcap},
     Target{"zstd_file", zstd_file},
     Target{"device_packet", device_packet},
+    Target{"ouster", ouster},
+    Target{"sensor_file", sensor_file},
+    Target{"hdl64_status", hdl64_status},
     Target{"g2o", g2o},
     Target{"rosbag2_metadata", rosbag2_metadata},
     Target{"view_client", view_client},

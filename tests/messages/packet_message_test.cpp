@@ -125,5 +125,28 @@ TEST(PacketMessage, PacketsOfHesaiTellHowMuchOfTheirRoomIsFilled) {
   }
 }
 
+TEST(PacketMessage, PacketsOfAnyLengthAreReadInBothSerialisations) {
+  const Bytes payload = text("packet of a sensor");
+  Cdr ouster(1);
+  ouster.number(payload.size(), 4, 4).raw(payload);
+  const auto read = parse_packet_message("ouster_ros/msg/PacketMsg", ouster.bytes(), Serialization::cdr);
+  ASSERT_EQ(read.size(), 1U);
+  EXPECT_EQ(Bytes(read[0].payload.begin(), read[0].payload.end()), payload);
+  EXPECT_EQ(read[0].stamp, 0.0);
+
+  Cdr robosense(1);
+  robosense.number(17, 4, 4).number(500'000'000, 4, 4).number(3, 4, 4).raw(text(std::string_view("rs\0", 3)));
+  robosense.number(0, 1, 1).number(1, 1, 1).number(payload.size(), 4, 4).raw(payload);
+  constexpr const char* kType = "rslidar_msg/msg/RslidarPacket";
+  const auto same = parse_packet_message(kType, robosense.bytes(), Serialization::cdr);
+  ASSERT_EQ(same.size(), 1U);
+  EXPECT_EQ(Bytes(same[0].payload.begin(), same[0].payload.end()), payload);
+  EXPECT_NEAR(same[0].stamp, 17.5, 1e-9);
+  EXPECT_EQ(packet_message_frame(kType, robosense.bytes(), Serialization::cdr), "rs");
+  Bytes cut = robosense.bytes();
+  cut.pop_back();
+  EXPECT_THROW(parse_packet_message(kType, cut, Serialization::cdr), Error);
+}
+
 }  // namespace
 }  // namespace tilth

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <tilth/sensor/packet_decoder.hpp>
+#include <tilth/sensor/block_decoder.hpp>
 
 namespace tilth {
 namespace {
@@ -45,7 +45,7 @@ struct Decoded {
 
 Decoded decode(const std::vector<std::vector<std::byte>>& payloads) {
   const std::vector<Packet> packets = packets_of(payloads);
-  PacketDecoder decoder(packets, {});
+  BlockDecoder decoder(packets, {});
   Decoded all;
   for (const Packet& packet : packets) {
     if (auto scan = decoder.decode(packet)) all.scans.push_back(std::move(*scan));

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <tilth/core/error.hpp>
+#include <tilth/sensor/block_decoder.hpp>
 #include <tilth/sensor/device_packet.hpp>
-#include <tilth/sensor/packet_decoder.hpp>
 
 namespace tilth {
 namespace {
@@ -76,7 +76,7 @@ TEST(LeishenPackets, EveryGenerationPutsItsPointsWhereItsDriverDoes) {
       payloads.push_back(packet.bytes());
     }
     const std::vector<Packet> packets = packets_of(payloads);
-    PacketDecoder decoder(packets, {g.name, Echoes::both});
+    BlockDecoder decoder(packets, {g.name, Echoes::both});
     std::optional<Scan> scan;
     for (const Packet& packet : packets) {
       if (auto closed = decoder.decode(packet)) scan = std::move(closed);
@@ -99,7 +99,7 @@ TEST(LeishenPackets, EveryGenerationPutsItsPointsWhereItsDriverDoes) {
 TEST(LeishenPackets, ThePacketsTimeIsThatOfItsLastShot) {
   MadeSensor sensor = c16(1206, 0x10);
   const auto single = sensor.packets(84);
-  PacketDecoder decoder(packets_of(single), {});
+  BlockDecoder decoder(packets_of(single), {});
   std::optional<Scan> scan;
   for (const Packet& packet : packets_of(single)) {
     if (auto closed = decoder.decode(packet)) scan = std::move(closed);
@@ -109,7 +109,7 @@ TEST(LeishenPackets, ThePacketsTimeIsThatOfItsLastShot) {
 
   sensor.mode = 0x39;
   const auto dual = sensor.packets(167);
-  PacketDecoder dual_decoder(packets_of(dual), {});
+  BlockDecoder dual_decoder(packets_of(dual), {});
   for (const Packet& packet : packets_of(dual)) {
     if (auto closed = dual_decoder.decode(packet)) scan = std::move(closed);
   }
@@ -126,7 +126,7 @@ TEST(LeishenPackets, DatesAndFractionsOfTheLongPackets) {
       set_date(packet, 500'000U * std::uint32_t(1e-6 / unit + 0.5) + k * step);
       payloads.push_back(packet.bytes());
     }
-    PacketDecoder decoder(packets_of(payloads), {});
+    BlockDecoder decoder(packets_of(payloads), {});
     EXPECT_EQ(decoder.format().name, "leishen_c16_v4");
     std::optional<Scan> scan;
     for (const Packet& packet : packets_of(payloads)) {
@@ -147,7 +147,7 @@ TEST(LeishenPackets, SecondsOfPtpAreReadAsANumber) {
     packet.little(1206, 200'000'000U + k * 1'200'000U, 4);
     payloads.push_back(packet.bytes());
   }
-  PacketDecoder decoder(packets_of(payloads), {});
+  BlockDecoder decoder(packets_of(payloads), {});
   EXPECT_EQ(decoder.format().name, "leishen_c16_v5");
   std::optional<Scan> scan;
   for (const Packet& packet : packets_of(payloads)) {
@@ -160,7 +160,7 @@ TEST(LeishenPackets, SecondsOfPtpAreReadAsANumber) {
 std::string recognised(const MadeSensor& sensor, const std::optional<MadePacket>& device) {
   auto payloads = sensor.packets(4);
   if (device) payloads.push_back(MadePacket(*device).bytes());
-  return PacketDecoder(packets_of(payloads), {}).format().name;
+  return BlockDecoder(packets_of(payloads), {}).format().name;
 }
 
 TEST(LeishenPackets, GenerationsAreToldByLengthModelAndDevicePacket) {
@@ -185,7 +185,7 @@ TEST(LeishenPackets, GenerationsAreToldByLengthModelAndDevicePacket) {
 TEST(LeishenPackets, ShortPacketsPaddedByADriverStayShort) {
   auto payloads = c16(1206, 0x10).packets(4);
   for (auto& payload : payloads) payload.resize(1212);
-  EXPECT_EQ(PacketDecoder(packets_of(payloads), {}).format().name, "leishen_c16_v3");
+  EXPECT_EQ(BlockDecoder(packets_of(payloads), {}).format().name, "leishen_c16_v3");
 }
 
 TEST(LeishenPackets, CalibratedAnglesCountWhereTheyLieNearTheTable) {
@@ -197,7 +197,7 @@ TEST(LeishenPackets, CalibratedAnglesCountWhereTheyLieNearTheTable) {
   }
   auto payloads = c16(1206, 0x10).packets(4);
   payloads.push_back(device.bytes());
-  const PacketFormat format = PacketDecoder(packets_of(payloads), {}).format();
+  const PacketFormat format = BlockDecoder(packets_of(payloads), {}).format();
   EXPECT_NEAR(format.elevations[0] / kDeg, -14.83, 1e-9);
   EXPECT_NEAR(format.elevations[1] / kDeg, 1.0, 1e-9) << "3 degrees off: not believed";
   EXPECT_NEAR(format.elevations[2] / kDeg, -13.0, 1e-9) << "never set";

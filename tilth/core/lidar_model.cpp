@@ -9,8 +9,29 @@
 namespace tilth {
 namespace {
 
-constexpr std::array<std::string_view, 8> kNames{"leishen_c16", "vlp16",  "hdl32",    "hdl64",
-                                                 "quanergy_m8", "os1_64", "ruby_128", "rosette"};
+struct NamedLidar {
+  std::string_view name;
+  LidarModel (*make)();
+};
+
+constexpr std::array kLidars{NamedLidar{"leishen_c16", leishen_c16},
+                             NamedLidar{"vlp16", vlp16},
+                             NamedLidar{"hdl32", hdl32},
+                             NamedLidar{"hdl64", hdl64},
+                             NamedLidar{"quanergy_m8", quanergy_m8},
+                             NamedLidar{"os1_64", os1_64},
+                             NamedLidar{"ruby_128", ruby_128},
+                             NamedLidar{"rosette", rosette},
+                             NamedLidar{"vlp32c", vlp32c},
+                             NamedLidar{"vls128", vls128},
+                             NamedLidar{"hdl64_s2", hdl64_s2},
+                             NamedLidar{"hdl64_s3", hdl64_s3},
+                             NamedLidar{"hesai_xt32", hesai_xt32},
+                             NamedLidar{"hesai_pandar64", hesai_pandar64},
+                             NamedLidar{"hesai_pandar40p", hesai_pandar40p},
+                             NamedLidar{"hesai_qt64", hesai_qt64},
+                             NamedLidar{"robosense_rs16", robosense_rs16},
+                             NamedLidar{"robosense_helios", robosense_helios}};
 
 /// Each of the two wedges bends the beam by half of the greatest angle.
 Eigen::Vector3d direction_in_rosette(const LidarModel& lidar, std::size_t ring, double time) {
@@ -26,7 +47,8 @@ Eigen::Vector3d direction_in_rosette(const LidarModel& lidar, std::size_t ring, 
 
 Eigen::Vector3d LidarModel::direction(std::size_t ring, double time) const {
   if (rosette_angle > 0) return direction_in_rosette(*this, ring, time);
-  const double azimuth = -2 * std::numbers::pi * time / period;
+  const double ahead = azimuths.empty() ? 0.0 : azimuths[ring];
+  const double azimuth = -2 * std::numbers::pi * time / period - ahead;
   const double horizontal = std::cos(elevations[ring]);
   return {horizontal * std::cos(azimuth), horizontal * std::sin(azimuth), std::sin(elevations[ring])};
 }
@@ -45,20 +67,20 @@ std::size_t LidarModel::ring_of(double elevation) const {
 }
 
 std::span<const std::string_view> lidar_names() {
-  return kNames;
+  static const auto names = [] {
+    std::array<std::string_view, kLidars.size()> all;
+    std::transform(kLidars.begin(), kLidars.end(), all.begin(), [](const NamedLidar& lidar) { return lidar.name; });
+    return all;
+  }();
+  return names;
 }
 
 LidarModel make_lidar(std::string_view name) {
-  if (name == "leishen_c16") return leishen_c16();
-  if (name == "vlp16") return vlp16();
-  if (name == "hdl32") return hdl32();
-  if (name == "hdl64") return hdl64();
-  if (name == "quanergy_m8") return quanergy_m8();
-  if (name == "os1_64") return os1_64();
-  if (name == "ruby_128") return ruby_128();
-  if (name == "rosette") return rosette();
   std::string known;
-  for (const std::string_view each : kNames) known += (known.empty() ? "" : ", ") + std::string(each);
+  for (const NamedLidar& lidar : kLidars) {
+    if (lidar.name == name) return lidar.make();
+    known += (known.empty() ? "" : ", ") + std::string(lidar.name);
+  }
   throw Error("sensor " + std::string(name), "is not known; there are " + known);
 }
 

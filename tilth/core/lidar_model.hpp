@@ -17,6 +17,7 @@ struct LidarModel {
   std::string name;
   std::vector<double> elevations;      ///< [rad] of each ring, ascending: ring 0 is the lowest beam
   std::vector<double> firing_offsets;  ///< [s] of each ring after the start of its firing
+  std::vector<double> azimuths;        ///< [rad] by which each ring points ahead of the head; empty: none does
   std::size_t columns = 0;             ///< firings a turn
   double firing_period = 0.0;          ///< [s] from one firing to the next
   double period = 0.1;                 ///< [s] of one turn
@@ -45,10 +46,20 @@ struct LidarModel {
   std::size_t ring_of(double elevation) const;
 };
 
-LidarModel vlp16();        ///< 16 beams, 2 degrees apart, 55.296 us a firing
-LidarModel hdl32();        ///< 32 beams, 4/3 degrees apart, 46.08 us a firing
-LidarModel hdl64();        ///< 64 beams, 1/3 degree apart above -8.33 degrees, 1/2 below; 48 us a firing
-LidarModel leishen_c16();  ///< 16 beams, 2 degrees apart, 50 us a firing
+LidarModel vlp16();             ///< 16 beams, 2 degrees apart, 55.296 us a firing
+LidarModel hdl32();             ///< 32 beams, 4/3 degrees apart, 46.08 us a firing
+LidarModel hdl64();             ///< 64 beams, 1/3 degree apart above -8.33 degrees, 1/2 below; 48 us a firing
+LidarModel leishen_c16();       ///< 16 beams, 2 degrees apart, 50 us a firing
+LidarModel vlp32c();            ///< 32 beams, 1/3 degree apart in the middle, 55.296 us a firing
+LidarModel vls128();            ///< 128 beams, 0.11 degrees apart in the middle, 53.3 us a firing
+LidarModel hdl64_s2();          ///< as hdl64(), but fires as the manual says and has packets: 48 us a firing
+LidarModel hdl64_s3();          ///< the same, 57.6 us a firing
+LidarModel hesai_xt32();        ///< 32 beams, 1 degree apart, 50 us a firing
+LidarModel hesai_pandar64();    ///< 64 beams, 1/6 degree apart in the middle, 55.56 us a firing
+LidarModel hesai_pandar40p();   ///< 40 beams, 1/3 degree apart in the middle, 55.56 us a firing
+LidarModel hesai_qt64();        ///< 64 beams over 104 degrees, 166.7 us a firing
+LidarModel robosense_rs16();    ///< 16 beams, 2 degrees apart, 55.5 us a firing
+LidarModel robosense_helios();  ///< 32 beams over 70 degrees, 55.56 us a firing
 
 LidarModel quanergy_m8();  ///< 8 beams, 3 degrees apart, 0.14 degrees a firing
 LidarModel os1_64();       ///< 64 beams, 0.53 degrees apart, 1024 firings a turn, all beams at once

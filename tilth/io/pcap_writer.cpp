@@ -8,8 +8,8 @@
 namespace tilth {
 namespace {
 
-constexpr std::size_t kMostPayload = 1472;  // of an Ethernet frame
 constexpr std::size_t kUdp = 8, kIp = 20, kEthernet = 14;
+constexpr std::size_t kMostPayload = 65535 - kUdp - kIp - kEthernet;  // fragments are captured put together
 
 using Bytes = std::vector<std::byte>;
 

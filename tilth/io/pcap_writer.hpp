@@ -18,7 +18,7 @@ class PcapWriter {
  public:
   explicit PcapWriter(const std::filesystem::path& path);
 
-  /// `arrival` [s] since 1970; `payload` at most 1472 bytes, so that it fits into one frame.
+  /// `arrival` [s] since 1970; `payload` at most 65493 bytes: fragments are captured put together.
   void write(double arrival, const UdpRoute& route, std::span<const std::byte> payload);
   void close() { file_.close(); }
 

@@ -11,8 +11,10 @@ namespace {
 constexpr std::array<std::string_view, 3> kScans{"VelodyneScan", "LslidarC16ScanUnified", "PandarScan"};
 constexpr std::array<std::string_view, 4> kSingles{"VelodynePacket", "LslidarPacket", "LslidarC16Packet",
                                                    "PandarPacket"};
-constexpr std::array<std::string_view, 2> kSized{"PandarScan", "PandarPacket"};  ///< packets tell how much is filled
-constexpr std::size_t kRoom = 1500;                                              ///< [bytes] of such a packet
+constexpr std::array<std::string_view, 2> kSized{"PandarScan", "PandarPacket"};    ///< packets tell how much is filled
+constexpr std::array<std::string_view, 2> kBuffers{"PacketMsg", "RslidarPacket"};  ///< one packet of any length
+constexpr std::string_view kRobosense = "RslidarPacket";  ///< with a header; of Ouster's PacketMsg the bytes are all
+constexpr std::size_t kRoom = 1500;                       ///< [bytes] of such a packet
 constexpr std::array<std::size_t, 2> kSizes{1206, 1212};
 constexpr std::size_t kStamp = 8;
 
@@ -46,21 +48,33 @@ StampedPayload packet_of(RosMessageReader& reader, std::size_t size) {
   return {stamp, reader.bytes(size, "packets.data")};
 }
 
+/// A sequence of bytes; of a RoboSense behind a header and two flags.
+StampedPayload buffered_packet(RosMessageReader& reader, bool robosense) {
+  double stamp = 0.0;
+  if (robosense) {
+    stamp = reader.header().stamp;
+    reader.number<std::uint8_t>("is_difop"), reader.number<std::uint8_t>("is_frame_begin");
+  }
+  const auto size = reader.number<std::uint32_t>("data");
+  return {stamp, reader.bytes(size, "data")};
+}
+
 }  // namespace
 
 bool is_packet_message(std::string_view type) {
-  return among(kScans, type) || among(kSingles, type);
+  return among(kScans, type) || among(kSingles, type) || among(kBuffers, type);
 }
 
 std::string packet_message_frame(std::string_view type, std::span<const std::byte> message,
                                  Serialization serialization) {
-  if (!among(kScans, type)) return "";
+  if (!among(kScans, type) && !type.ends_with(kRobosense)) return "";
   return RosMessageReader(message, serialization, std::string(type)).header().frame_id;
 }
 
 std::vector<StampedPayload> parse_packet_message(std::string_view type, std::span<const std::byte> message,
                                                  Serialization serialization) {
   RosMessageReader reader(message, serialization, std::string(type));
+  if (among(kBuffers, type)) return {buffered_packet(reader, type.ends_with(kRobosense))};
   std::size_t count = 1;
   if (among(kScans, type)) {
     reader.header();

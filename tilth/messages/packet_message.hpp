@@ -1,5 +1,5 @@
 // Packets in ROS messages: velodyne_msgs/VelodyneScan, pandar_msgs/PandarScan, the scans and single packets of
-// Leishen's drivers.
+// Leishen's drivers, rslidar_msg/RslidarPacket, Ouster's PacketMsg.
 #pragma once
 
 #include <span>

@@ -26,8 +26,8 @@ ClockConvention decide_clock(std::span<const DataPacket> first, const PacketForm
   clock.traits.step = format.packet_period(first.front().dual());
   clock.traits.mark = mark;
   clock.traits.wrap = kHour;
-  if (format.tail == PacketTail::velodyne) return clock;
-  if (format.tail == PacketTail::leishen_1206) {
+  if (!first.front().dated() && format.family != PacketFamily::leishen_1206) return clock;
+  if (format.family == PacketFamily::leishen_1206) {
     const auto beyond = [](const DataPacket& p) { return !p.dated() && p.microseconds() > kSecond; };
     if (std::none_of(first.begin(), first.end(), beyond)) clock.traits.wrap = 1.0;
     return clock;

@@ -12,6 +12,7 @@
 namespace tilth {
 namespace {
 
+constexpr std::size_t kLeishen = 1206;
 constexpr double kHundredthDegree = std::numbers::pi / 18000.0;
 constexpr std::size_t kSpeed = 8, kMicroseconds = 198, kPulse = 202, kSentence = 206, kSentenceSize = 128;
 
@@ -68,8 +69,9 @@ std::optional<double> utc_of_sentence(std::string_view text) {
 DeviceInfo parse_device_packet(std::span<const std::byte> payload) {
   assert(kind_of(payload) == PacketKind::device);
   DeviceInfo info;
-  info.generation = generation_of(payload);
   info.revolutions_per_minute = big_endian(payload, kSpeed);
+  if (payload.size() != kLeishen) return info;
+  info.generation = generation_of(payload);
   if (info.generation != 2 && info.generation != 3) return info;
   const bool older = info.generation == 2;
   info.utc = date_at(payload, older ? 36 : 52);

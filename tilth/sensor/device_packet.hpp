@@ -1,4 +1,5 @@
-// What a sensor tells about itself beside its points: Leishen's DIFOP (about one a second, big-endian) and Velodyne's
+// What a sensor tells about itself beside its points: DIFOP of a Leishen or RoboSense (about one a second, big-endian;
+// of the latter only the speed: see robosense_device.hpp) and Velodyne's
 // position packets, which carry the GPS receiver's sentence.
 #pragma once
 

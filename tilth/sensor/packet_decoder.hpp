@@ -1,9 +1,9 @@
-// Packets in, scans out: every shot with its ring, time and intensity, cut where the azimuth wraps. The frame is x
-// forward (azimuth 0), y left, z up, on the axis of rotation. About 2 ms a scan of 28,800 shots.
+// Packets in, scans out: every shot with its ring, time and intensity, cut into turns. Sensors whose packets hold
+// blocks of an azimuth are decoded by BlockDecoder; Ouster's columns by OusterDecoder.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,15 +13,25 @@
 #include <tilth/core/options.hpp>
 #include <tilth/core/scan.hpp>
 #include <tilth/sensor/device_packet.hpp>
-#include <tilth/sensor/missing_packets.hpp>
-#include <tilth/sensor/packet_clock.hpp>
-#include <tilth/sensor/recognise_packets.hpp>
+#include <tilth/sensor/packet.hpp>
+#include <tilth/sensor/sensor_file.hpp>
 
 namespace tilth {
 
 /// Which echoes of a shot become points, where the sensor reports two.
 enum class Echoes { both, strongest, farthest };
 std::span<const std::string_view> names_of(Echoes);
+
+struct MeasuredEcho {
+  double range = 0.0;  ///< 0: no return
+  float intensity = 0.0F;
+};
+struct EchoChoice {
+  bool first = false, second = false;
+};
+
+/// Which of the two echoes of a shot become points.
+EchoChoice choose_echoes(Echoes wanted, const MeasuredEcho& first, const MeasuredEcho& second);
 
 struct PacketOptions {
   std::string sensor;  ///< beginning of a name of packet_formats(); empty: recognised
@@ -30,8 +40,7 @@ struct PacketOptions {
 
 template <class V>
 void visit(PacketOptions& o, V&& v) {
-  v("sensor", o.sensor,
-    "[-] vlp16, puck_hires, hdl32, leishen_c16 (or one of its generations), hesai_xt16; empty: recognised");
+  v("sensor", o.sensor, "[-] as `tilth sensors` names it, or the beginning of such a name; empty: recognised");
   v("echoes", o.echoes, "[-] of a sensor that reports two a shot; both: where they differ");
 }
 
@@ -49,50 +58,28 @@ struct PacketCounts {
 
 class PacketDecoder {
  public:
-  /// Decides from the first packets, which are to be decoded as well. Throws Error as recognise_packets.
-  PacketDecoder(std::span<const Packet> first, const PacketOptions& options);
+  virtual ~PacketDecoder() = default;
 
   /// The next packet; a scan where it completes one.
-  std::optional<Scan> decode(const Packet& packet);
+  virtual std::optional<Scan> decode(const Packet& packet) = 0;
 
   /// The scan that the last packet left, where it is whole.
-  std::optional<Scan> finish();
+  virtual std::optional<Scan> finish() = 0;
 
+  virtual std::size_t rings() const = 0;
   const std::vector<std::string>& decisions() const { return decisions_; }
-  const PacketFormat& format() const { return convention_.format; }
   const PacketCounts& counts() const { return counts_; }
   const std::optional<PositionInfo>& position() const { return position_; }  ///< of the last position packet
 
- private:
-  struct Head {
-    double azimuth, time;  // [0.01 deg] [s] of a column
-  };
-  struct Column;  // a block, or two with the echoes of the same shots
-  std::optional<bool> is_next_head(const DataPacket& packet) const;
-  void count_missing(const DataPacket& packet, double first_shot);
-  std::optional<Scan> decode_data(const DataPacket& packet, double first_shot);
-  std::optional<Scan> turn_to(double azimuth, double time);
-  void add_column(const DataPacket& packet, const Column& column);
-  void add_point(const Column& column, std::size_t slot, double range, float intensity);
-  std::optional<Scan> close(double least_turn);
-
-  PacketConvention convention_;
-  Echoes echoes_;
-  PacketClock clock_;
+ protected:
   std::vector<std::string> decisions_;
   PacketCounts counts_;
   std::optional<PositionInfo> position_;
-  std::vector<double> cosines_, sines_;          // of the channels' elevations
-  std::array<double, kMostSlots> slot_times_{};  // [s]
-  MissingPackets missing_;
-  std::optional<double> first_azimuth_;  // [0.01 deg] of the last packet
-  std::optional<double> last_packet_;    // [s] first shot
-  bool last_dual_ = false;
-  double mean_step_ = 0.0;  // [0.01 deg] from column to column
-  Scan open_;
-  double turned_ = 0.0;  // [0.01 deg] since the open scan began
-  double begun_ = 0.0;   // [s] when it did
-  std::optional<Head> head_;
 };
+
+/// Decides from the first packets, which are to be decoded as well. `file` is what the sensor's file tells, where there
+/// is one. Throws Error where no packet is a known sensor's, or the sensor needs a file that is not there.
+std::unique_ptr<PacketDecoder> make_packet_decoder(std::span<const Packet> first, const PacketOptions& options,
+                                                   const SensorFile& file = {});
 
 }  // namespace tilth

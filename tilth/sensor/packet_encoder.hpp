@@ -3,41 +3,48 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <tilth/core/lidar_model.hpp>
 #include <tilth/core/scan.hpp>
+#include <tilth/sensor/encoded_packet.hpp>
+#include <tilth/sensor/hdl64_status.hpp>
+#include <tilth/sensor/ouster_metadata.hpp>
 #include <tilth/sensor/packet_format.hpp>
 
 namespace tilth {
 
-struct EncodedPacket {
-  double sent = 0.0;  ///< [s] after the last shot
-  std::vector<std::byte> payload;
-};
-
-/// How packets of `lidar` look. Throws Error where there are none (hdl64), or its firings are not spaced as theirs.
+/// How packets of `lidar` look. Throws Error where there are none, or its firings are not spaced as theirs.
 PacketFormat packet_format_of(const LidarModel& lidar);
 
 /// The packets of one turn, single return. Throws Error where a point has no ring, no time or the time of no firing.
 std::vector<EncodedPacket> encode_scan(const Scan& scan, const LidarModel& lidar, const PacketFormat& format);
 
-/// Leishen's DIFOP with speed and angles, as v2.8/v3.0 sends it.
-std::vector<std::byte> encode_device_packet(const LidarModel& lidar, const PacketFormat& format);
+/// A file that belongs to packets.
+struct SentFile {
+  std::string extension;  ///< ".json"; empty: none is needed
+  std::string text;
+};
 
-/// All that a sensor sends, scan after scan: its data packets, and once a second Leishen's device packet.
+/// All that a sensor sends, scan after scan: its data packets, once a second the device packet of a Leishen or
+/// RoboSense, and in the status bytes of an HDL-64E its calibration.
 class PacketStream {
  public:
   explicit PacketStream(const LidarModel& lidar);  ///< throws Error as packet_format_of
 
   std::vector<EncodedPacket> encode(const Scan& scan);  ///< in the order they are sent; throws Error as encode_scan
-  const PacketFormat& format() const { return format_; }
+  SentFile sensor_file() const;                         ///< about the unit, where its packets mean nothing without
 
  private:
   LidarModel lidar_;
-  PacketFormat format_;
+  std::optional<OusterMetadata> ouster_;
+  PacketFormat format_;              // unless it is an Ouster
   double next_device_packet_ = 0.0;  // [s]
+  std::vector<StatusByte> status_;   // of an HDL-64E
+  std::size_t next_ = 0;             // of these, or turn of an Ouster
 };
 
 }  // namespace tilth

@@ -1,97 +1,64 @@
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
 #include <tilth/sensor/packet_format.hpp>
+#include <tilth/sensor/packet_rows.hpp>
 
 namespace tilth {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kMicrosecond = 1e-6;
-
-using Degrees = std::vector<double>;
-
-const Degrees kTwoDegrees{-15, 1, -13, 3, -11, 5, -9, 7, -7, 9, -5, 11, -3, 13, -1, 15};
-const Degrees kPuckHiRes{-10, 0.67, -8.67, 2, -7.33, 3.33, -6, 4.67, -4.67, 6, -3.33, 7.33, -2, 8.67, -0.67, 10};
-const Degrees kNarrowC16{-10, 0.665, -8.665, 2, -7.33, 3.33, -6, 4.665, -4.665, 6, -3.33, 7.33, -2, 8.665, -0.665, 10};
-const Degrees kC16V4{-16, 0, -14, 2, -12, 4, -10, 6, -8, 8, -6, 10, -4, 12, -2, 14};
-const Degrees kC16Domestic{-16, -8, 0, 8, -14, -6, 2, 10, -12, -4, 4, 12, -10, -2, 6, 14};
-const Degrees kC16V5{-16, 0, -8, 8, -14, 2, -6, 10, -12, 4, -4, 12, -10, 6, -2, 14};
-
-const Degrees kPandarXt16{15, 13, 11, 9, 7, 5, 3, 1, -1, -3, -5, -7, -9, -11, -13, -15};
-
 constexpr double kHesaiLead = 6.0;  ///< [us] from the time of the packet to the first shot of its last firing
-
-Degrees hdl32_degrees() {
-  Degrees degrees;
-  for (int i = 0; i < 16; ++i) degrees.insert(degrees.end(), {(-92.0 + 4 * i) / 3, (-28.0 + 4 * i) / 3});
-  return degrees;
-}
-
-/// A row but for its angles; times in microseconds, the optical centre in metres and degrees.
-struct FormatRow {
-  const char *name, *title;
-  PacketTail tail;
-  std::vector<std::uint8_t> models;
-  double channel_us, firing_us, unit, radius, angle;
-};
-
-PacketFormat row(const FormatRow& r, const Degrees& degrees) {
-  std::vector<double> elevations;
-  for (const double angle : degrees) elevations.push_back(angle * kDegree);
-  PacketFormat format;
-  format.name = r.name, format.title = r.title, format.tail = r.tail, format.models = r.models;
-  format.channel_period = r.channel_us * kMicrosecond, format.firing_period = r.firing_us * kMicrosecond;
-  format.unit = r.unit, format.centre_radius = r.radius, format.centre_angle = r.angle * kDegree;
-  return with_elevations(std::move(format), std::move(elevations));
-}
+constexpr double kPandar64Stamp = 42.58, kPandar40pStamp = 28.58;  ///< [us] from the last azimuth (tier4/nebula)
+constexpr double kQt64Lead = 35.71;                                ///< [us] to the first azimuth (tier4/nebula)
+constexpr double kVls128Stamp = 8.7;  ///< [us] from the first shot to the time of the packet (ros-drivers/velodyne)
 
 std::vector<PacketFormat> all_rows() {
-  constexpr PacketTail velodyne = PacketTail::velodyne;
-  constexpr PacketTail old = PacketTail::leishen_1206, dated = PacketTail::leishen_1212;
-  return {
-      row({"hdl32", "Velodyne HDL-32E", velodyne, {0x21}, 1.152, 46.08, 0.002, 0, 0}, hdl32_degrees()),
-      row({"vlp16", "Velodyne VLP-16", velodyne, {0x22, 0x21}, 2.304, 55.296, 0.002, 0, 0}, kTwoDegrees),
-      row({"puck_hires", "Velodyne Puck Hi-Res", velodyne, {0x24}, 2.304, 55.296, 0.002, 0, 0}, kPuckHiRes),
-      row({"leishen_c16_v3", "Leishen C16 v2.8/v3.0", old, {0x10}, 3.125, 50, 0.0025, 0.0431, 14.68}, kTwoDegrees),
-      row({"leishen_c16_v3_narrow",
-           "Leishen C16 v2.8/v3.0, 1.33 degrees",
-           old,
-           {0x10},
-           3.125,
-           50,
-           0.0025,
-           0.0431,
-           14.68},
-          kNarrowC16),
-      row({"leishen_c16_v2", "Leishen C16 v2.6", old, {0x10}, 3.125, 50, 0.0025, 0.04319, 14.68}, kTwoDegrees),
-      row({"leishen_c16_v2_narrow", "Leishen C16 v2.6, 1.33 degrees", old, {0x10}, 3.125, 50, 0.0025, 0.04319, 14.68},
-          kNarrowC16),
-      row({"leishen_c16_v1", "Leishen C16 v1/v2.0", old, {}, 3.125, 50, 0.01, 0, 0}, kTwoDegrees),
-      row({"leishen_c16_v4", "Leishen C16 v4.0", dated, {0x10}, 3.125, 50, 0.004, 0.0361, 20.25}, kC16V4),
-      row({"leishen_c16_v4_domestic", "Leishen C16 v4.0 (domestic)", dated, {0x12}, 3.125, 50, 0.004, 0.0361, 20.25},
-          kC16Domestic),
-      row({"leishen_c16_v5", "Leishen C16 v5.0", dated, {0x65}, 3.125, 50, 0.004, 0.035, 21.80}, kC16V5),
-      row({"hesai_xt16", "Hesai PandarXT-16", PacketTail::hesai_568, {0x10}, 3.024, 50, 0.004, 0, 0}, kPandarXt16),
-  };
+  std::vector<PacketFormat> all;
+  for (std::vector<PacketFormat> rows : {velodyne_rows(), leishen_rows(), hesai_rows(), robosense_rows()})
+    std::move(rows.begin(), rows.end(), std::back_inserter(all));
+  return all;
 }
 
 }  // namespace
 
-const PacketLayout& layout_of(PacketTail tail) {
-  static constexpr PacketLayout kShort{1206, 0, 12, 32, 4, 3, 1204, 1205, 1200};
-  static constexpr PacketLayout kDated{1212, 0, 12, 32, 4, 3, 1210, 1211, 1200};
-  static constexpr PacketLayout kHesai{568, 12, 8, 16, 2, 4, 550, 6, 553};
-  if (tail == PacketTail::hesai_568) return kHesai;
-  return tail == PacketTail::leishen_1212 ? kDated : kShort;
+PacketFormat format_of(const FormatRow& row, const LidarChannels& channels) {
+  PacketFormat format;
+  format.name = row.name, format.title = row.title, format.family = row.family, format.models = row.models;
+  format.firing_period = row.firing_us * kMicrosecond, format.unit = row.unit;
+  format.centre_radius = row.radius, format.centre_angle = row.angle * kDegree;
+  for (const double time : channels.times) format.channel_times.push_back(time * kMicrosecond);
+  for (const double azimuth : channels.azimuths) format.offsets.push_back({.azimuth = azimuth * kDegree});
+  std::vector<double> elevations;
+  for (const double elevation : channels.elevations) elevations.push_back(elevation * kDegree);
+  return with_elevations(std::move(format), std::move(elevations));
+}
+
+LidarChannels evenly_fired(std::vector<double> elevations, double channel_us) {
+  LidarChannels channels{std::move(elevations), {}, {}};
+  for (std::size_t i = 0; i < channels.elevations.size(); ++i) channels.times.push_back(double(i) * channel_us);
+  return channels;
 }
 
 double PacketFormat::stamp_offset(bool dual) const {
-  if (tail == PacketTail::velodyne) return 0.0;
-  if (tail == PacketTail::hesai_568) return packet_period(dual) - block_period() - kHesaiLead * kMicrosecond;
-  return last_shot(dual);
+  const double last_column = packet_period(dual) - column_period();
+  switch (family) {
+    case PacketFamily::velodyne:
+    case PacketFamily::velodyne_64:
+    case PacketFamily::robosense:
+    case PacketFamily::robosense_helios: return 0.0;
+    case PacketFamily::velodyne_128: return kVls128Stamp * kMicrosecond;
+    case PacketFamily::hesai_568:
+    case PacketFamily::hesai_xt32: return last_column - kHesaiLead * kMicrosecond;
+    case PacketFamily::hesai_64: return last_column + kPandar64Stamp * kMicrosecond;
+    case PacketFamily::hesai_40p: return last_column + kPandar40pStamp * kMicrosecond;
+    case PacketFamily::hesai_qt64: return -kQt64Lead * kMicrosecond;
+    default: return last_shot(dual);
+  }
 }
 
 std::span<const PacketFormat> packet_formats() {

@@ -1,44 +1,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <utility>
 
 #include <tilth/core/error.hpp>
 #include <tilth/core/median.hpp>
-#include <tilth/sensor/device_packet.hpp>
+#include <tilth/sensor/first_packets.hpp>
+#include <tilth/sensor/packet_angles.hpp>
 #include <tilth/sensor/recognise_packets.hpp>
 
 namespace tilth {
 namespace {
 
 using Rows = std::vector<const PacketFormat*>;
-
-constexpr double kLargestCorrection = 1.5 * std::numbers::pi / 180.0;
-constexpr double kLeastElevation = 1e-9;  ///< [rad] a calibrated angle of 0 was never set
-
-struct FirstPackets {
-  std::vector<DataPacket> data;
-  std::optional<DeviceInfo> device;
-  std::optional<ClockTraits::Mark> mark;
-};
-
-FirstPackets sorted(std::span<const Packet> first) {
-  FirstPackets all;
-  for (const Packet& packet : first) {
-    const PacketKind kind = kind_of(packet.payload);
-    const std::size_t before = all.data.empty() ? 0 : all.data.size() - 1;
-    if (kind == PacketKind::data) all.data.emplace_back(packet.payload);
-    if (kind == PacketKind::device) {
-      all.device = parse_device_packet(packet.payload);
-      if (all.device->utc && *all.device->utc > kEarliestClock) all.mark = {before, *all.device->utc + 0.5};
-    }
-    if (kind == PacketKind::position) {
-      if (const auto utc = parse_position_packet(packet.payload).utc) all.mark = {before, *utc + 0.5};
-    }
-  }
-  return all;
-}
 
 /// The rows for which `fits` holds; all where there is none.
 template <class F>
@@ -65,9 +39,10 @@ Rows possible_rows(const FirstPackets& first, std::string_view sensor) {
   }
   const std::string where = sensor.empty() ? "packets" : "sensor " + std::string(sensor);
   if (rows.empty()) throw Error(where, "is not known for packets; there are " + names);
-  std::erase_if(rows, [&](const PacketFormat* row) { return row->layout().size != packet.size(); });
+  std::erase_if(rows, [&](const PacketFormat* row) { return &row->layout() != &packet.layout(); });
   const std::string size = std::to_string(packet.size()) + " bytes";
   if (rows.empty()) throw Error(where, "has no packets of " + size + " as they are here");
+  if (packet.layout().model == 0) return rows;
   const Rows told = [&] {
     Rows left;
     for (const PacketFormat* row : rows) {
@@ -94,18 +69,6 @@ double clock_step(std::span<const DataPacket> data) {
   return steps.empty() ? 0.0 : median(std::move(steps));
 }
 
-/// [rad] mean distance of the told angles from those of the row.
-double distance_from(const PacketFormat& row, const DeviceInfo& device) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < device.elevations.size(); ++i) sum += std::abs(row.elevations[i] - device.elevations[i]);
-  return sum / double(device.elevations.size());
-}
-
-bool tells_angles(const DeviceInfo& device) {
-  return std::any_of(device.elevations.begin(), device.elevations.end(),
-                     [](double angle) { return std::abs(angle) > kLeastElevation; });
-}
-
 const PacketFormat& most_likely(Rows rows, const FirstPackets& first) {
   const bool dual = first.data.front().dual();
   if (const double step = clock_step(first.data); step > 0.0) {
@@ -113,7 +76,9 @@ const PacketFormat& most_likely(Rows rows, const FirstPackets& first) {
     const auto closest = *std::min_element(rows.begin(), rows.end(), [&](auto a, auto b) { return off(a) < off(b); });
     rows = narrowed(rows, [&](auto row) { return off(row) < off(closest) + 0.05; });
   }
-  if (!first.device || rows.front()->tail != PacketTail::leishen_1206) return *rows.front();
+  if (first.robosense && first.robosense->lasers && rows.front()->family == PacketFamily::robosense_helios)
+    rows = narrowed(rows, [&](auto row) { return row->channels() == first.robosense->lasers->lasers.size(); });
+  if (!first.device || rows.front()->family != PacketFamily::leishen_1206) return *rows.front();
   const std::string generation = "leishen_c16_v" + std::to_string(first.device->generation);
   rows = narrowed(rows, [&](const PacketFormat* row) { return row->name.starts_with(generation); });
   if (!tells_angles(*first.device)) return *rows.front();
@@ -122,50 +87,51 @@ const PacketFormat& most_likely(Rows rows, const FirstPackets& first) {
   });
 }
 
-/// The told angles where they lie close to the table; how many do.
-std::size_t correct(PacketFormat& format, const DeviceInfo& device) {
-  std::vector<double> elevations = format.elevations;
-  std::size_t corrected = 0;
-  for (std::size_t i = 0; i < elevations.size(); ++i) {
-    const double told = device.elevations[i];
-    if (std::abs(told) < kLeastElevation || std::abs(told - elevations[i]) > kLargestCorrection) continue;
-    elevations[i] = told;
-    ++corrected;
-  }
-  format = with_elevations(std::move(format), std::move(elevations));
-  return corrected;
-}
-
 std::string stamped_shot(const PacketFormat& format) {
-  if (format.tail == PacketTail::hesai_568) return "last firing";
-  return format.tail == PacketTail::velodyne ? "first shot" : "last shot";
+  switch (format.family) {
+    case PacketFamily::velodyne:
+    case PacketFamily::velodyne_64:
+    case PacketFamily::robosense:
+    case PacketFamily::robosense_helios: return "first shot";
+    case PacketFamily::velodyne_128: return "fourth group of lasers";
+    case PacketFamily::hesai_568:
+    case PacketFamily::hesai_xt32:
+    case PacketFamily::hesai_64:
+    case PacketFamily::hesai_40p: return "last firing";
+    case PacketFamily::hesai_qt64: return "first firing";
+    default: return "last shot";
+  }
 }
 
-std::string angle_sentence(PacketFormat& format, const std::optional<DeviceInfo>& device) {
-  const std::string rings = "ring: of the channel, 0 the lowest of " + std::to_string(format.channels());
-  const bool calibrated = device && format.tail == PacketTail::leishen_1206 && tells_angles(*device);
-  const std::size_t corrected = calibrated ? correct(format, *device) : 0;
-  if (corrected == 0) return rings + "; elevations of the maker's table";
-  return rings + "; elevations of " + std::to_string(corrected) + " as calibrated, from the device packets";
+std::string returns_sentence(const DataPacket& packet) {
+  if (packet.dual()) return "returns: two a shot";
+  switch (packet.return_mode()) {
+    case 0x37: return "returns: one a shot, the strongest";
+    case 0x38: return "returns: one a shot, the last";
+    default: return "returns: one a shot";
+  }
 }
 
 }  // namespace
 
-PacketConvention recognise_packets(std::span<const Packet> packets, std::string_view sensor) {
-  const FirstPackets first = sorted(packets);
-  if (first.data.empty())
-    throw Error("packets", "none is a data packet of a Velodyne VLP-16, HDL-32E, Leishen C16 or Hesai XT16");
+PacketConvention recognise_packets(std::span<const Packet> packets, std::string_view sensor, const SensorFile& file) {
+  const FirstPackets first = sorted_packets(packets);
+  if (first.data.empty()) throw Error("packets", "none is a data packet of a sensor that `tilth sensors` lists");
   PacketConvention convention;
   convention.format = most_likely(possible_rows(first, sensor), first);
   const PacketFormat& format = convention.format;
   convention.dual = first.data.front().dual();
+  if (format.channels() == 16 && format.layout().big_endian && first.robosense && first.robosense->dual)
+    throw Error("sensor " + format.name, "sends two returns a shot, which are not read; let it send one");
   char step[64];
   std::snprintf(step, sizeof step, "%.1f us", format.packet_period(convention.dual) * 1e6);
-  convention.decisions.push_back("sensor: " + format.title + " (" + format.name + "), by packets of " +
-                                 std::to_string(format.layout().size) + " bytes with model byte " +
-                                 hexadecimal(first.data.front().model()) + ", one in " + step);
-  convention.decisions.emplace_back(convention.dual ? "returns: two a shot" : "returns: one a shot");
-  convention.decisions.push_back(angle_sentence(convention.format, first.device));
+  std::string sensor_sentence = "sensor: " + format.title + " (" + format.name + "), by packets of ";
+  sensor_sentence += std::to_string(format.layout().size) + " bytes";
+  if (format.layout().model != 0) sensor_sentence += " with model byte " + hexadecimal(first.data.front().model());
+  sensor_sentence += std::string(", one in ") + step;
+  convention.decisions.push_back(std::move(sensor_sentence));
+  convention.decisions.push_back(returns_sentence(first.data.front()));
+  convention.decisions.push_back(take_angles(convention.format, first, file));
   convention.decisions.push_back("time: of each shot, from the firing table; a packet's time is that of its " +
                                  stamped_shot(format));
   convention.clock = decide_clock(first.data, format, first.mark);

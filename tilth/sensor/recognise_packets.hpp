@@ -10,6 +10,7 @@
 
 #include <tilth/sensor/clock_convention.hpp>
 #include <tilth/sensor/packet.hpp>
+#include <tilth/sensor/sensor_file.hpp>
 
 namespace tilth {
 
@@ -20,8 +21,8 @@ struct PacketConvention {
   std::vector<std::string> decisions;  ///< one sentence each
 };
 
-/// `sensor` is the beginning of a name of packet_formats(), or empty. Throws Error where no packet is of kind data or
-/// no sensor fits.
-PacketConvention recognise_packets(std::span<const Packet> first, std::string_view sensor);
+/// `sensor` is the beginning of a name of packet_formats(), or empty; `file` tells of the unit. Throws Error where no
+/// packet is of kind data, no sensor fits, or `file` is of another one.
+PacketConvention recognise_packets(std::span<const Packet> first, std::string_view sensor, const SensorFile& file = {});
 
 }  // namespace tilth

@@ -24,4 +24,20 @@ std::optional<double> utc_seconds(const CivilTime& t) {
   return double(days_since_1970(t.year, t.month, t.day)) * 86400.0 + t.hour * 3600.0 + t.minute * 60.0 + t.second;
 }
 
+CivilTime civil_time(double seconds) {
+  constexpr long long kDay = 86400, kEraDays = 146097, kFromYear0 = 719468;  // days from 0000-03-01 to 1970-01-01
+  const auto whole = static_cast<long long>(seconds);
+  const long long of_day = whole % kDay, days = whole / kDay + kFromYear0;
+  const long long era = days / kEraDays, of_era = days % kEraDays;
+  const long long year = (of_era - of_era / 1460 + of_era / 36524 - of_era / 146096) / 365;
+  const long long of_year = of_era - (365 * year + year / 4 - year / 100), month = (5 * of_year + 2) / 153;
+  const int calendar_month = int(month < 10 ? month + 3 : month - 9);
+  return {int(year + era * 400) + (calendar_month <= 2 ? 1 : 0),
+          calendar_month,
+          int(of_year - (153 * month + 2) / 5) + 1,
+          int(of_day / 3600),
+          int(of_day / 60 % 60),
+          double(of_day % 60)};
+}
+
 }  // namespace tilth

@@ -14,4 +14,7 @@ struct CivilTime {
 /// days_from_civil.
 std::optional<double> utc_seconds(const CivilTime& time);
 
+/// The date of whole seconds since 1970. After H. Hinnant's civil_from_days.
+CivilTime civil_time(double seconds);
+
 }  // namespace tilth

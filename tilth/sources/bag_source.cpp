@@ -64,6 +64,7 @@ std::unique_ptr<ScanSource> open_bag(const std::filesystem::path& path, const So
   if (is_packet_message(topic.type)) {
     PacketFeed feed = bag_packet_feed(std::move(bag), topic, source, options.frame);
     feed.contents = bag_topic_lines(topics);
+    feed.file = path;
     return open_packets(std::move(feed), options_of<PacketSourceOptions>("the packets of " + source, options.values));
   }
   bag.select(topic.name);

@@ -7,6 +7,7 @@
 #include <tilth/core/error.hpp>
 #include <tilth/io/payload_file.hpp>
 #include <tilth/sensor/packet_encoder.hpp>
+#include <tilth/sensor/recognise_packets.hpp>
 #include <tilth/sources/bag_packets.hpp>
 #include <tilth/sources/open_simulator.hpp>
 #include <tilth/sources/packet_feeds.hpp>

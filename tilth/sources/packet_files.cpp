@@ -36,7 +36,8 @@ PacketFeed capture_feed(const std::filesystem::path& path) {
             return ReceivedPacket{datagram->arrival, datagram->source, std::move(datagram->payload)};
           },
           [capture] { return notices_of(capture->counts()); },
-          [capture] { return capture->problem(); }};
+          [capture] { return capture->problem(); },
+          path};
 }
 
 PacketFeed payload_feed(const std::filesystem::path& path) {

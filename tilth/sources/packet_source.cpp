@@ -9,10 +9,12 @@
 #include <tilth/core/error.hpp>
 #include <tilth/io/pcap.hpp>
 #include <tilth/sources/packet_source.hpp>
+#include <tilth/sources/sensor_files.hpp>
 
 namespace tilth {
 namespace {
 
+constexpr std::size_t kFirstBytes = 4 << 20;
 constexpr std::size_t kFirstPackets = 2000;  ///< one device packet of Leishen among them, which sends one a second
 
 std::string date_text(double utc) {
@@ -42,17 +44,13 @@ std::string position_text(std::size_t packets, const PositionInfo& last) {
 class PacketSource : public ScanSource {
  public:
   PacketSource(PacketFeed feed, const PacketSourceOptions& options) : feed_(std::move(feed)) {
-    while (first_.size() < kFirstPackets) {
-      std::optional<ReceivedPacket> packet = read();
-      if (!packet) break;
-      first_.push_back(std::move(*packet));
-    }
+    read_first();
     choose_sender(options.host);
     std::vector<Packet> packets;
     for (const ReceivedPacket& p : first_) {
       if (p.sender == sender_) packets.push_back({p.payload, p.arrival});
     }
-    decoder_.emplace(packets, options.decoder);
+    decoder_ = make_packet_decoder(packets, options.decoder, file_of(packets, options.sensor_file));
     contents_ = feed_.contents;
     for (const auto& [sender, count] : senders_) {
       if (sender == 0) continue;
@@ -104,6 +102,30 @@ class PacketSource : public ScanSource {
   }
 
  private:
+  /// Packets until all is decided: some of an Ouster's, which are large, more of an HDL-64E's, which tell its
+  /// calibration.
+  void read_first() {
+    std::size_t bytes = 0, of_hdl64 = 0;
+    while (first_.size() < kFirstPackets || (of_hdl64 > 0 && of_hdl64 < kPacketsOfCalibration)) {
+      if (bytes >= kFirstBytes && of_hdl64 == 0) return;
+      std::optional<ReceivedPacket> packet = read();
+      if (!packet) return;
+      const bool data = kind_of(packet->payload) == PacketKind::data;
+      of_hdl64 += data && &DataPacket(packet->payload).layout() == &layout_of(PacketFamily::velodyne_64) ? 1 : 0;
+      bytes += packet->payload.size();
+      first_.push_back(std::move(*packet));
+    }
+  }
+
+  /// The file that was named, or for an Ouster its metadata beside the recording.
+  SensorFile file_of(const std::vector<Packet>& packets, const std::string& named) const {
+    if (!named.empty()) return read_sensor_file(named);
+    const auto is_ouster = [](const Packet& packet) { return kind_of(packet.payload) == PacketKind::ouster; };
+    if (feed_.file.empty() || std::none_of(packets.begin(), packets.end(), is_ouster)) return {feed_.name, {}, {}};
+    const std::filesystem::path beside = ouster_metadata_beside(feed_.file);
+    return beside.empty() ? SensorFile{feed_.name, {}, {}} : read_sensor_file(beside);
+  }
+
   /// The next packet that may be a sensor's.
   std::optional<ReceivedPacket> read() {
     while (std::optional<ReceivedPacket> packet = feed_.next()) {
@@ -121,9 +143,12 @@ class PacketSource : public ScanSource {
   }
 
   void choose_sender(const std::string& host) {
-    for (const ReceivedPacket& p : first_) senders_[p.sender] += kind_of(p.payload) == PacketKind::data ? 1 : 0;
+    for (const ReceivedPacket& p : first_) {
+      const PacketKind kind = kind_of(p.payload);
+      senders_[p.sender] += kind == PacketKind::data || kind == PacketKind::ouster ? 1 : 0;
+    }
     if (senders_.empty()) {
-      throw Error(feed_.name, "holds no packets of a Velodyne VLP-16, HDL-32E, Leishen C16 or Hesai XT16 (" +
+      throw Error(feed_.name, "holds no packets of a sensor that `tilth sensors` lists (" +
                                   counted(unknown_, "other datagram") + ")");
     }
     const auto named = std::find_if(senders_.begin(), senders_.end(),
@@ -152,7 +177,7 @@ class PacketSource : public ScanSource {
   std::deque<ReceivedPacket> first_;
   std::map<std::uint32_t, std::size_t> senders_;  // address -> data packets among the first
   std::uint32_t sender_ = 0;
-  std::optional<PacketDecoder> decoder_;
+  std::unique_ptr<PacketDecoder> decoder_;
   std::optional<double> last_stamp_;
   std::size_t unknown_ = 0, foreign_ = 0, scans_ = 0;
   bool ended_ = false;

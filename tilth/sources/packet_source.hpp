@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -28,16 +29,19 @@ struct PacketFeed {
   std::function<std::optional<ReceivedPacket>()> next;  ///< nothing at the end
   std::function<std::vector<std::string>()> notices;    ///< of the format, see ScanSource::notices()
   std::function<std::string()> problem;                 ///< what is damaged; empty: nothing
+  std::filesystem::path file = {};                      ///< beside which the sensor's own file may stand; empty: none
 };
 
 struct PacketSourceOptions {
   PacketOptions decoder;
-  std::string host;
+  std::string sensor_file, host;
 };
 
 template <class V>
 void visit(PacketSourceOptions& o, V&& v) {
   visit(o.decoder, v);
+  v("sensor_file", o.sensor_file,
+    "[-] file of the unit: Ouster's metadata (.json), a Velodyne's db.xml or .yaml, another's .csv of angles");
   v("host", o.host, "[-] address of the sensor, as 192.168.1.200; empty: of the one that sends most");
 }
 

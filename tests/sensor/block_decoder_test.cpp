@@ -6,14 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <tilth/core/error.hpp>
-#include <tilth/sensor/packet_decoder.hpp>
+#include <tilth/sensor/block_decoder.hpp>
 
 namespace tilth {
 namespace {
 
 std::vector<Scan> decoded(const std::vector<Packet>& packets, const PacketOptions& options = {},
                           PacketCounts* counts = nullptr) {
-  PacketDecoder decoder(packets, options);
+  BlockDecoder decoder(packets, options);
   std::vector<Scan> scans;
   for (const Packet& packet : packets) {
     if (auto scan = decoder.decode(packet)) scans.push_back(std::move(*scan));
@@ -29,7 +29,7 @@ double azimuth_of(const Eigen::Vector3d& p) {
   return angle < 0.0 ? angle + 36000.0 : angle;
 }
 
-TEST(PacketDecoder, PlacesEveryShotOfAVlp16) {
+TEST(BlockDecoder, PlacesEveryShotOfAVlp16) {
   MadeSensor sensor;
   sensor.echo = [](std::size_t block, std::size_t slot) {
     return Echo{std::uint16_t(1000 + 100 * block + slot), std::uint8_t(slot)};
@@ -54,7 +54,7 @@ TEST(PacketDecoder, PlacesEveryShotOfAVlp16) {
   }
 }
 
-TEST(PacketDecoder, FiresAll32LasersOfAnHdl32InOneBlock) {
+TEST(BlockDecoder, FiresAll32LasersOfAnHdl32InOneBlock) {
   MadeSensor sensor;
   sensor.model = 0x21, sensor.period = 46.08e-6, sensor.step = 16.6;
   const auto payloads = sensor.packets(185);
@@ -70,14 +70,14 @@ TEST(PacketDecoder, FiresAll32LasersOfAnHdl32InOneBlock) {
   EXPECT_EQ(cloud.rings[1], 16);
 }
 
-TEST(PacketDecoder, TellsTheVlp16FromTheHdl32ByItsClockWhereBothSayTheSame) {
+TEST(BlockDecoder, TellsTheVlp16FromTheHdl32ByItsClockWhereBothSayTheSame) {
   MadeSensor sensor;
   sensor.model = 0x21;
   const auto payloads = sensor.packets(5);
-  EXPECT_EQ(PacketDecoder(packets_of(payloads), {}).format().name, "vlp16");
+  EXPECT_EQ(BlockDecoder(packets_of(payloads), {}).format().name, "vlp16");
 }
 
-TEST(PacketDecoder, EchoesOfAShotShareItsTime) {
+TEST(BlockDecoder, EchoesOfAShotShareItsTime) {
   MadeSensor sensor;
   sensor.mode = 0x39;
   sensor.echo = [](std::size_t block, std::size_t slot) {
@@ -105,7 +105,7 @@ TEST(PacketDecoder, EchoesOfAShotShareItsTime) {
   EXPECT_NEAR(decoded(packets, {"", Echoes::farthest}).front().cloud.points[0].norm(), 12.0, 1e-9);
 }
 
-TEST(PacketDecoder, LostPacketsAreCountedAndShiftNoTimes) {
+TEST(BlockDecoder, LostPacketsAreCountedAndShiftNoTimes) {
   const MadeSensor sensor;
   const auto payloads = sensor.packets(2 * 76);
   std::vector<Packet> packets = packets_of(payloads);
@@ -123,7 +123,7 @@ TEST(PacketDecoder, LostPacketsAreCountedAndShiftNoTimes) {
   EXPECT_EQ(holed[1].stamp, whole[1].stamp);
 }
 
-TEST(PacketDecoder, ATurnIsCutWhereItsBeginWasLost) {
+TEST(BlockDecoder, ATurnIsCutWhereItsBeginWasLost) {
   MadeSensor sensor;
   const auto payloads = sensor.packets(4 * 76);
   std::vector<Packet> packets = packets_of(payloads);
@@ -134,7 +134,7 @@ TEST(PacketDecoder, ATurnIsCutWhereItsBeginWasLost) {
   for (const Scan& scan : scans) EXPECT_LT(scan.cloud.times.back(), 0.101F);
 }
 
-TEST(PacketDecoder, LateAndRepeatedPacketsAreLeftOut) {
+TEST(BlockDecoder, LateAndRepeatedPacketsAreLeftOut) {
   const MadeSensor sensor;
   const auto payloads = sensor.packets(76);
   std::vector<Packet> packets = packets_of(payloads);
@@ -146,7 +146,7 @@ TEST(PacketDecoder, LateAndRepeatedPacketsAreLeftOut) {
   EXPECT_EQ(counts.late, 2U);
 }
 
-TEST(PacketDecoder, TurnsBegunBeforeTheFirstPacketCountFromHalfOn) {
+TEST(BlockDecoder, TurnsBegunBeforeTheFirstPacketCountFromHalfOn) {
   MadeSensor sensor;
   for (const auto& [begin, scans, incomplete] : {std::tuple{17000.0, 2U, 0U}, std::tuple{19000.0, 1U, 1U}}) {
     sensor.begin = begin;
@@ -158,23 +158,23 @@ TEST(PacketDecoder, TurnsBegunBeforeTheFirstPacketCountFromHalfOn) {
   }
 }
 
-TEST(PacketDecoder, AHeadThatDoesNotTurnGivesNoScansAndFillsNoMemory) {
+TEST(BlockDecoder, AHeadThatDoesNotTurnGivesNoScansAndFillsNoMemory) {
   MadeSensor sensor;
   sensor.step = 0.0;
   const auto payloads = sensor.packets(3000);
   EXPECT_TRUE(decoded(packets_of(payloads)).empty());
 }
 
-TEST(PacketDecoder, RefusesWhatNoSensorSends) {
+TEST(BlockDecoder, RefusesWhatNoSensorSends) {
   MadeSensor sensor;
   sensor.model = 0x20;
   const auto payloads = sensor.packets(3);
   const std::vector<Packet> packets = packets_of(payloads);
-  EXPECT_THROW(PacketDecoder(packets, {}), Error) << "a Leishen C32";
-  EXPECT_NO_THROW(PacketDecoder(packets, {"vlp16", Echoes::both}));
-  EXPECT_THROW(PacketDecoder(packets, {"vlp17", Echoes::both}), Error);
-  EXPECT_THROW(PacketDecoder(packets, {"leishen_c16_v4", Echoes::both}), Error) << "those have 1212 bytes";
-  EXPECT_THROW(PacketDecoder({}, {}), Error);
+  EXPECT_THROW(BlockDecoder(packets, {}), Error) << "a Leishen C32";
+  EXPECT_NO_THROW(BlockDecoder(packets, {"vlp16", Echoes::both}));
+  EXPECT_THROW(BlockDecoder(packets, {"vlp17", Echoes::both}), Error);
+  EXPECT_THROW(BlockDecoder(packets, {"leishen_c16_v4", Echoes::both}), Error) << "those have 1212 bytes";
+  EXPECT_THROW(BlockDecoder({}, {}), Error);
 }
 
 }  // namespace
