@@ -1,6 +1,7 @@
 #include <functional>
 
 #include <tilth/odometry/floam.hpp>
+#include <tilth/odometry/fu2026.hpp>
 #include <tilth/odometry/improved_floam.hpp>
 #include <tilth/odometry/judged_odometry.hpp>
 #include <tilth/odometry/lego_loam.hpp>
@@ -31,6 +32,7 @@ const std::vector<PipelineMaker>& all() {
           "tilth", "patches of surface, a map by the way they face, pose and velocity estimated together"),
       pipeline<ImprovedFloam, ImprovedFloamOptions>("improved_floam",
                                                     "FLOAM with statistical outlier removal and GICP (Fu et al. 2026)"),
+      pipeline<Fu2026, Fu2026Options>("fu2026", "Fu et al. 2026 as printed, to be held against"),
       pipeline<Floam, FloamOptions>("floam", "FLOAM (Wang et al. 2021), as its authors set it for 16 beams"),
       pipeline<LegoLoam, LegoLoamOptions>("lego_loam", "LeGO-LOAM with the LiDAR alone (Shan and Englot 2018)"),
       pipeline<LioSam, LioSamOptions>("lio_sam", "LIO-SAM (Shan et al. 2020) with the LiDAR alone"),
