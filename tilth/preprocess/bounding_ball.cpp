@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 
 #include <tilth/core/parallel.hpp>
@@ -28,17 +29,28 @@ bool holds(const BoundingBall& ball, const Eigen::Vector3d& p) {
   return (p - ball.center).squaredNorm() <= ball.squared_radius * (1 + kSlack);
 }
 
+/// The least x with A^T A x = h: closed where the columns of A span as many dimensions as they are, else by QR.
+template <int kColumns>
+Eigen::Vector3d center_in_hull(const Eigen::Matrix<double, 3, kColumns>& A) {
+  using Square = Eigen::Matrix<double, kColumns, kColumns>;
+  const Square gram = A.transpose() * A;
+  const Eigen::Matrix<double, kColumns, 1> half = 0.5 * gram.diagonal();
+  Square inverse;
+  bool is_regular = false;
+  gram.computeInverseWithCheck(inverse, is_regular, 1e-10 * gram.diagonal().prod());
+  return A * (is_regular ? (inverse * half).eval() : gram.colPivHouseholderQr().solve(half).eval());
+}
+
 /// The smallest ball through all points of the support: its center c lies in their hull, c = p_0 + A x, and is as far
 /// from p_0 as from each p_j, 2 A^T A x = diag(A^T A).
 BoundingBall through(const BallSupport& support) {
   if (support.count == 0) return {};
   const Eigen::Vector3d origin = support.points.col(0);
-  if (support.count == 1) return {origin, 0.0};
-  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3> A(3, support.count - 1);
-  for (int j = 1; j < support.count; ++j) A.col(j - 1) = support.points.col(j) - origin;
-  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3> gram = A.transpose() * A;
-  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1> half = 0.5 * gram.diagonal();
-  const Eigen::Vector3d to_center = A * gram.colPivHouseholderQr().solve(half);
+  const Eigen::Matrix3d sides = support.points.rightCols<3>().colwise() - origin;
+  Eigen::Vector3d to_center = Eigen::Vector3d::Zero();
+  if (support.count == 2) to_center = 0.5 * sides.col(0);
+  if (support.count == 3) to_center = center_in_hull<2>(sides.leftCols<2>());
+  if (support.count == 4) to_center = center_in_hull<3>(sides);
   return {origin + to_center, to_center.squaredNorm()};
 }
 
@@ -68,7 +80,8 @@ void bounding_ball_densities(const PointCloud& cloud, const NeighborTable& neigh
     for (std::size_t i = begin; i < end; ++i) {
       std::vector<Eigen::Vector3d> around;
       around.reserve(neighbors.k);
-      for (const std::uint32_t n : neighbors.neighbors(i)) around.push_back(cloud.points[n]);
+      const std::span<const std::uint32_t> row = neighbors.neighbors(i);
+      for (auto n = row.rbegin(); n != row.rend(); ++n) around.push_back(cloud.points[*n]);  // the farthest bound it
       const double unit = scale.empty() ? 1.0 : double(scale[i]);
       const double radius = std::max(unit * std::sqrt(bounding_ball(std::move(around)).squared_radius), kLeastRadius);
       rho[i] = float(double(neighbors.k) / (4.0 / 3.0 * std::numbers::pi * radius * radius * radius));
