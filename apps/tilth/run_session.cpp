@@ -7,6 +7,8 @@
 #include "run_console.hpp"
 #include "threads.hpp"
 #include <tilth/io/beam_file.hpp>
+#include <tilth/io/pose_file.hpp>
+#include <tilth/odometry/external_motion.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/run/beam_pipeline.hpp>
 #include <tilth/run/new_record.hpp>
@@ -39,6 +41,25 @@ void add_learn_beams_flag(CLI::App& command, RunArguments& arguments) {
   command.add_flag("--learn-beams", arguments.learn_beams, kLearnBeamsMeaning);
 }
 
+void add_prior_flag(CLI::App& command, RunArguments& arguments) {
+  command
+      .add_option(
+          "--prior", arguments.prior,
+          "trajectory of the LiDAR by another source (wheels, an IMU, another odometry), by the clock of the scans")
+      ->option_text("FILE");
+}
+
+namespace {
+
+std::shared_ptr<const ExternalMotion> external_motion(const std::string& file) {
+  if (file.empty()) return nullptr;
+  const PoseFile poses = read_pose_file(file);
+  if (!poses.has_stamps) throw Error(file, "has no stamps, by which a prior is held against the scans");
+  return std::make_shared<ExternalMotion>(poses.trajectory);
+}
+
+}  // namespace
+
 PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>& source_options,
                     const std::vector<OptionInfo>& source_defaults) {
   const PipelineChoice choice = choose_pipeline(arguments.options);
@@ -54,7 +75,8 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
   const SlamOptions slam = with<SlamOptions>(choice.loop);
   plan.localize = with<LocalizationOptions>(choice.localize).localize;
   const BeamLearning learning = arguments.learn_beams ? BeamLearning::correct : BeamLearning::watch;
-  plan.pipeline = with_beams(make_odometry(choice.name, choice.values), learning, plan.beams);
+  plan.pipeline =
+      with_beams(make_odometry(choice.name, choice.values, external_motion(arguments.prior)), learning, plan.beams);
   const bool loop_closure = arguments.loop_closure || !arguments.save_map.empty();
   if (loop_closure) {
     add_options(describe(slam), describe(SlamOptions{}), plan.record);
