@@ -18,12 +18,14 @@ int main(int argc, char** argv) {
   tilth::app::add_pipelines(app, exit_code);
   tilth::app::add_config(app, exit_code);
   tilth::app::add_evaluate(app, exit_code);
+  tilth::app::add_evaluate_map(app, exit_code);
   tilth::app::add_info(app, exit_code);
   tilth::app::add_simulate(app, exit_code);
   tilth::app::add_convert(app, exit_code);
   tilth::app::add_live(app, exit_code);
   tilth::app::add_play(app, exit_code);
   tilth::app::add_score_filter(app, exit_code);
+  tilth::app::add_score_basin(app, exit_code);
   tilth::app::add_assess(app, exit_code);
   tilth::app::add_score_moving(app, exit_code);
   tilth::app::add_view(app, exit_code);

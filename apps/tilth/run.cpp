@@ -67,6 +67,7 @@ void add_input_options(CLI::App& command, RecordingArguments& a) {
   add_beams_flag(command, a.run);
   add_learn_beams_flag(command, a.run);
   add_base_flag(command, a.run);
+  add_prior_flag(command, a.run);
   command.add_option("--max-scans", a.run.session.max_scans, "stop after so many scans");
   command.add_flag("--strict", a.run.session.strict, "a record that cannot be used ends the run with an error");
 }

@@ -30,6 +30,7 @@ int exit_code_of(RunEnd end, bool lost, bool strict);
 struct RunArguments {
   std::string source, out;
   std::string beams;                ///< beams.yaml; empty: none
+  std::string prior;                ///< trajectory of another source; empty: none
   std::string save_map;             ///< folder of the map to save; empty: none
   std::string map_to_continue;      ///< folder of a map; empty: none
   std::string base_from_lidar;      ///< as parse_mount takes it; empty: not known
@@ -49,6 +50,9 @@ void add_threads_flag(CLI::App& command, RunArguments& arguments);
 
 /// Adds --beams.
 void add_beams_flag(CLI::App& command, RunArguments& arguments);
+
+/// Adds --prior.
+void add_prior_flag(CLI::App& command, RunArguments& arguments);
 
 /// Adds --learn-beams.
 void add_learn_beams_flag(CLI::App& command, RunArguments& arguments);

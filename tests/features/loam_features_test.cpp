@@ -1,4 +1,5 @@
 // FLOAM's and LIO-SAM's features on made-up rings: a corner, walls, an edge of occlusion, a jagged ring, a short one.
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -69,6 +70,22 @@ TEST(FloamFeatures, TakeAWallAsPlaneButForFiveAtEitherEnd) {
 TEST(FloamFeatures, CanSkipTheLastPointOfEachSectorAsTheOriginal) {
   const PointCloud ring = ring_of(200, [](int) { return 5.0; });
   EXPECT_EQ(floam_features(ring, {.skip_sector_ends = true}).planes.size(), 184u);
+}
+
+TEST(FloamFeatures, ByACurvatureGivenAreTheMostAndTheLeastCurvedOfEachSector) {
+  const PointCloud ring = ring_of(610, [](int) { return 5.0; });
+  std::vector<double> given(610);
+  for (std::size_t i = 0; i < given.size(); ++i) given[i] = i % 50 == 25 ? 1.7 : 1 + 1e-4 * double(i % 100);
+  const FeatureIndices chosen = choose_floam_features(ring, given, {.edge_threshold = 0, .edges = 2, .planes = 4});
+  ASSERT_EQ(chosen.edges.size(), 12u);
+  ASSERT_EQ(chosen.planes.size(), 24u);
+  for (const std::uint32_t i : chosen.edges) EXPECT_EQ(given[i], 1.7);
+  EXPECT_TRUE(std::is_sorted(chosen.planes.begin(), chosen.planes.end()));
+  double most = 0;
+  for (std::size_t k = 0; k < 4; ++k) most = std::max(most, given[chosen.planes[k]]);
+  std::size_t flatter = 0;
+  for (std::size_t i = 5; i < 105; ++i) flatter += given[i] <= most;
+  EXPECT_EQ(flatter, 4u);
 }
 
 TEST(FloamFeatures, LeaveRingsOfLessThan131PointsOut) {

@@ -23,8 +23,9 @@ std::vector<Indices> rings_of(const PointCloud& cloud) {
 // Chooses the features of one ring, sector by sector.
 class RingFeatures {
  public:
-  RingFeatures(const std::vector<Eigen::Vector3d>& ring, const FloamFeatureOptions& options)
-      : ring_(ring), options_(options), curvature_(curvature(ring, options.curvature)), ruled_out_(ring.size(), 0) {}
+  RingFeatures(const std::vector<Eigen::Vector3d>& ring, std::vector<double> curvature,
+               const FloamFeatureOptions& options)
+      : ring_(ring), options_(options), curvature_(std::move(curvature)), ruled_out_(ring.size(), 0) {}
 
   /// Appends the numbers of the points, in the ring, to `edges` and `planes`.
   void choose(Indices& edges, Indices& planes) {
@@ -34,9 +35,7 @@ class RingFeatures {
       const std::size_t begin = first + s * length, whole = s + 1 == kSectors ? last : begin + length;
       const std::size_t end = whole - (options_.skip_sector_ends ? 1 : 0);
       choose_edges(begin, end, edges);
-      for (std::size_t i = begin; i < end; ++i) {
-        if (!ruled_out_[i]) planes.push_back(std::uint32_t(i));
-      }
+      choose_planes(begin, end, planes);
     }
   }
 
@@ -47,9 +46,7 @@ class RingFeatures {
     for (std::size_t i = begin; i < end; ++i) {
       if (curvature_[i] > options_.edge_threshold) order.push_back(std::uint32_t(i));
     }
-    std::sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
-      return std::pair(-curvature_[a], a) < std::pair(-curvature_[b], b);
-    });
+    sort_by(-1, order);
     std::fill(ruled_out_.begin(), ruled_out_.end(), std::uint8_t{0});
     int count = 0;
     for (const std::uint32_t i : order) {
@@ -59,6 +56,27 @@ class RingFeatures {
       edges.push_back(i);
       rule_out_around(i);
     }
+  }
+
+  // What is neither edge nor beside one: all of it, or the least curved points in the order of firing.
+  void choose_planes(std::size_t begin, std::size_t end, Indices& planes) const {
+    Indices left;
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!ruled_out_[i]) left.push_back(std::uint32_t(i));
+    }
+    if (options_.planes > 0 && left.size() > std::size_t(options_.planes)) {
+      sort_by(1, left);
+      left.resize(std::size_t(options_.planes));
+      std::sort(left.begin(), left.end());
+    }
+    planes.insert(planes.end(), left.begin(), left.end());
+  }
+
+  // By `sign` times the curvature, equal ones in the order of firing.
+  void sort_by(double sign, Indices& points) const {
+    std::sort(points.begin(), points.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return std::pair(sign * curvature_[a], a) < std::pair(sign * curvature_[b], b);
+    });
   }
 
   void rule_out_around(std::size_t i) {
@@ -77,18 +95,37 @@ class RingFeatures {
   std::vector<std::uint8_t> ruled_out_;
 };
 
-}  // namespace
-
-FeatureClouds floam_features(const PointCloud& cloud, const FloamFeatureOptions& options) {
-  Indices edges, planes;
+// Features of all rings; curvature_of(ring, its points) gives a value for each of them.
+template <class CurvatureOf>
+FeatureIndices choose(const PointCloud& cloud, const FloamFeatureOptions& options, const CurvatureOf& curvature_of) {
+  FeatureIndices features;
   for (const Indices& ring : rings_of(cloud)) {
     if (ring.size() < std::size_t(options.min_ring_points)) continue;
-    Indices ring_edges, ring_planes;
-    RingFeatures(select(cloud, ring).points, options).choose(ring_edges, ring_planes);
-    for (const std::uint32_t i : ring_edges) edges.push_back(ring[i]);
-    for (const std::uint32_t i : ring_planes) planes.push_back(ring[i]);
+    Indices edges, planes;
+    const PointCloud points = select(cloud, ring);
+    RingFeatures(points.points, curvature_of(ring, points.points), options).choose(edges, planes);
+    for (const std::uint32_t i : edges) features.edges.push_back(ring[i]);
+    for (const std::uint32_t i : planes) features.planes.push_back(ring[i]);
   }
-  return {select(cloud, edges), select(cloud, planes)};
+  return features;
+}
+
+}  // namespace
+
+FeatureIndices choose_floam_features(const PointCloud& cloud, std::span<const double> curvature,
+                                     const FloamFeatureOptions& options) {
+  return choose(cloud, options, [&](const Indices& ring, const auto&) {
+    std::vector<double> of_ring;
+    of_ring.reserve(ring.size());
+    for (const std::uint32_t i : ring) of_ring.push_back(curvature[i]);
+    return of_ring;
+  });
+}
+
+FeatureClouds floam_features(const PointCloud& cloud, const FloamFeatureOptions& options) {
+  const FeatureIndices chosen =
+      choose(cloud, options, [&](const Indices&, const auto& points) { return curvature(points, options.curvature); });
+  return {select(cloud, chosen.edges), select(cloud, chosen.planes)};
 }
 
 }  // namespace tilth

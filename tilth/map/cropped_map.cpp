@@ -14,4 +14,13 @@ void CroppedMap::insert(std::span<const Eigen::Vector3d> points_in_map, const Ei
   cloud_ = SearchableCloud(voxel_downsample(inside, options_.voxel_size).points);
 }
 
+PointCloud points_of(const CroppedMap& a, const CroppedMap& b) {
+  PointCloud both;
+  for (const CroppedMap* map : {&a, &b}) {
+    const std::span<const Eigen::Vector3d> points = map->cloud().points();
+    both.points.insert(both.points.end(), points.begin(), points.end());
+  }
+  return both;
+}
+
 }  // namespace tilth

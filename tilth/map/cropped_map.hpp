@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <tilth/core/options.hpp>
+#include <tilth/core/point_cloud.hpp>
 #include <tilth/search/searchable_cloud.hpp>
 
 namespace tilth {
@@ -40,5 +41,8 @@ class CroppedMap {
   CroppedMapOptions options_;
   SearchableCloud cloud_{{}};
 };
+
+/// The points of both.
+PointCloud points_of(const CroppedMap& a, const CroppedMap& b);
 
 }  // namespace tilth

@@ -3,6 +3,7 @@
 #include <tilth/core/voxel_downsample.hpp>
 #include <tilth/odometry/floam.hpp>
 #include <tilth/preprocess/crop.hpp>
+#include <tilth/preprocess/deskew.hpp>
 
 namespace tilth {
 namespace {
@@ -14,14 +15,22 @@ constexpr std::size_t kLeastMapEdges = 10, kLeastMapPlanes = 50;  // more must b
 OdometryResult Floam::register_scan(const Scan& scan) {
   OdometryResult result;
   begin_stage("crop");
-  result.filtered = crop_range(scan.cloud, options_.min_range, options_.max_range);
+  PointCloud cloud = crop_range(scan.cloud, options_.min_range, options_.max_range);
+  const std::size_t points_in = cloud.size();
+  const double scan_duration = duration(cloud), instant = options_.pose_at * scan_duration;
+  result.stamp = scan.stamp + instant;
+  result.filtered = filtered(std::move(cloud));
   begin_stage("features");
-  const FeatureClouds features = floam_features(result.filtered, options_.features);
+  FeatureClouds features = floam_features(result.filtered, options_.features);
+  if (options_.deskew) {
+    result.motion = {.velocity = motion_.velocity(), .begin = -instant, .duration = scan_duration};
+    features.edges = deskew(std::move(features.edges), result.motion, instant);
+    features.planes = deskew(std::move(features.planes), result.motion, instant);
+  }
   const FeatureClouds sparse{voxel_downsample(features.edges, options_.edge_map.voxel_size),
                              voxel_downsample(features.planes, options_.plane_map.voxel_size)};
 
   begin_stage("registration");
-  result.stamp = scan.stamp + options_.pose_at * duration(result.filtered);
   const bool is_first = edge_map_.cloud().size() + plane_map_.cloud().size() == 0;
   result.alignment = register_features(sparse, motion_.predict(result.stamp));
   result.T_world_lidar = result.alignment.T_target_source;
@@ -34,8 +43,15 @@ OdometryResult Floam::register_scan(const Scan& scan) {
   } else {
     insert(sparse, result.T_world_lidar);
   }
-  result.counts = {result.filtered.size(), 0, features.edges.size(), features.planes.size()};
+  result.counts = {points_in, points_in - result.filtered.size(), features.edges.size(), features.planes.size()};
   return result;
+}
+
+PointCloud Floam::filtered(PointCloud cloud) {
+  if (options_.outliers.method == OutlierMethod::none) return cloud;
+  begin_stage("outliers");
+  arrange(cloud, rings_);
+  return select_kept(cloud, outliers_.keep(cloud, rings_));
 }
 
 AlignResult Floam::register_features(const FeatureClouds& features, const Pose& T_start) const {
@@ -65,12 +81,7 @@ void Floam::insert(const FeatureClouds& features, const Pose& T_world_lidar) {
 }
 
 PointCloud Floam::local_map() const {
-  PointCloud map_in_world;
-  for (const CroppedMap* map : {&edge_map_, &plane_map_}) {
-    const std::span<const Eigen::Vector3d> points = map->cloud().points();
-    map_in_world.points.insert(map_in_world.points.end(), points.begin(), points.end());
-  }
-  return map_in_world;
+  return points_of(edge_map_, plane_map_);
 }
 
 }  // namespace tilth

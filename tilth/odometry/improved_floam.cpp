@@ -66,7 +66,9 @@ void ImprovedFloam::insert(SurfacePatches patches, const FeatureScan& scan, cons
   if (motion_.updates() == 0) {
     first_ = {patches, scan.middle, T_world_middle};
   } else {
-    usual_.add(registration.alignment, scan.stamp - motion_.last_time());
+    const double interval = scan.stamp - motion_.last_time();
+    if (told_) trust_.judge(*told_, motion_.last_pose().inverse() * T_world_middle, interval, Matrix6d::Zero());
+    usual_.add(registration.alignment, interval);
     first_.reset();
   }
   motion_.update(scan.stamp, T_world_middle);

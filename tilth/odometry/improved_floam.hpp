@@ -1,11 +1,13 @@
 // FLOAM with statistical outlier removal and GICP: Fu et al., Appl. Sci. 2026, 16, 3141.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include <tilth/features/patch_features.hpp>
 #include <tilth/features/surface_patches.hpp>
 #include <tilth/map/patch_map.hpp>
+#include <tilth/odometry/external_motion.hpp>
 #include <tilth/odometry/motion_model.hpp>
 #include <tilth/odometry/odometry.hpp>
 #include <tilth/odometry/usual_fit.hpp>
@@ -55,8 +57,9 @@ void visit(ImprovedFloamOptions& o, V&& v) {
 
 class ImprovedFloam : public Odometry {
  public:
-  explicit ImprovedFloam(const ImprovedFloamOptions& options)
-      : options_(options), outliers_(options.outliers), map_(options.map) {}
+  /// `external`: motions of another source, or none.
+  explicit ImprovedFloam(const ImprovedFloamOptions& options, std::shared_ptr<const ExternalMotion> external = {})
+      : options_(options), outliers_(options.outliers), map_(options.map), external_(std::move(external)) {}
   OdometryResult register_scan(const Scan& scan) override;
   PointCloud local_map() const override;
 
@@ -80,6 +83,8 @@ class ImprovedFloam : public Odometry {
                                 const AlignOptions& align_options) const;
 
   Registration find(const FeatureScan& scan);
+  /// Where the motion goes on to, and another source where there is one.
+  Pose expected(double stamp);
   AlignResult try_from(const FeatureScan& few, const Pose& T_start, const MotionInScan& motion) const;
   MotionInScan in_scan(const Vector6d& velocity, double middle) const;
   /// From several starts, where that from the motion expected is in doubt; says whether they can be told apart.
@@ -103,10 +108,13 @@ class ImprovedFloam : public Odometry {
     double middle;
     Pose T_world_middle;
   };
-  std::optional<FirstScan> first_;              // until the second one is in the map
-  UsualFit usual_{{.poor = 0.7, .sure = 0.8}};  // good runs: 0.78 at least; after a gap it is not straight
-  bool ambiguous_ = false;                      // another motion of the last scan fits as well
-  bool relative_ = false;                       // the map was begun after a loss
+  std::optional<FirstScan> first_;                  // until the second one is in the map
+  std::shared_ptr<const ExternalMotion> external_;  // or none
+  std::optional<Pose> told_;                        // by it of the last scan
+  MotionTrust trust_;                               // in it
+  UsualFit usual_{{.poor = 0.7, .sure = 0.8}};      // good runs: 0.78 at least; after a gap it is not straight
+  bool ambiguous_ = false;                          // another motion of the last scan fits as well
+  bool relative_ = false;                           // the map was begun after a loss
 };
 
 }  // namespace tilth

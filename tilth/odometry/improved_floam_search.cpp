@@ -17,7 +17,7 @@ AlignOptions quick(AlignOptions align) {
 
 ImprovedFloam::Registration ImprovedFloam::find(const FeatureScan& scan) {
   ambiguous_ = false;
-  Registration found = register_scan_from(scan, motion_.predict(scan.stamp));
+  Registration found = register_scan_from(scan, expected(scan.stamp));
   if (motion_.updates() == 0) return found;
   const double interval = scan.stamp - motion_.last_time();
   if (motion_.updates() == 1) {
@@ -28,6 +28,16 @@ ImprovedFloam::Registration ImprovedFloam::find(const FeatureScan& scan) {
   if (interval < kMapGivenUp || belongs_in_map(found.alignment, scan.stamp)) return found;
   begin_anew(scan.stamp);
   return register_scan_from(scan, motion_.predict(scan.stamp));
+}
+
+Pose ImprovedFloam::expected(double stamp) {
+  told_.reset();
+  if (external_ && motion_.updates() > 0) told_ = external_->between(motion_.last_time(), stamp);
+  if (!told_) return motion_.predict(stamp);
+  const double interval = stamp - motion_.last_time();
+  const std::optional<MotionClaim> claim = trust_.claim(*told_, interval, motion_.velocity());
+  if (!claim) return motion_.predict(stamp);
+  return retract(motion_.last_pose(), interval * joined_velocity(motion_.velocity(), *claim, interval));
 }
 
 AlignResult ImprovedFloam::try_from(const FeatureScan& few, const Pose& T_start, const MotionInScan& motion) const {

@@ -1,6 +1,7 @@
 #include <functional>
 
 #include <tilth/odometry/floam.hpp>
+#include <tilth/odometry/fu2026.hpp>
 #include <tilth/odometry/improved_floam.hpp>
 #include <tilth/odometry/judged_odometry.hpp>
 #include <tilth/odometry/lego_loam.hpp>
@@ -14,14 +15,28 @@ namespace {
 
 struct PipelineMaker {
   PipelineInfo info;
-  std::function<std::unique_ptr<Odometry>(const OptionValues&)> make;
+  std::function<std::unique_ptr<Odometry>(const OptionValues&, const std::shared_ptr<const ExternalMotion>&)> make;
   std::function<std::vector<OptionInfo>(const OptionValues&)> describe;
 };
 
 template <class P, class O>
+std::unique_ptr<Odometry> made(const std::string& name, const O& options,
+                               const std::shared_ptr<const ExternalMotion>& external) {
+  if constexpr (std::is_constructible_v<P, O, std::shared_ptr<const ExternalMotion>>) {
+    return std::make_unique<P>(options, external);
+  } else {
+    if (external)
+      throw Error("pipeline " + name, "has no use for a prior of the motion; tilth and improved_floam have");
+    return std::make_unique<P>(options);
+  }
+}
+
+template <class P, class O>
 PipelineMaker pipeline(const std::string& name, const std::string& summary) {
   return {{name, summary},
-          [](const OptionValues& values) { return std::make_unique<P>(with<O>(values)); },
+          [name](const OptionValues& values, const std::shared_ptr<const ExternalMotion>& external) {
+            return made<P>(name, with<O>(values), external);
+          },
           [](const OptionValues& values) { return describe(with<O>(values)); }};
 }
 
@@ -31,6 +46,7 @@ const std::vector<PipelineMaker>& all() {
           "tilth", "patches of surface, a map by the way they face, pose and velocity estimated together"),
       pipeline<ImprovedFloam, ImprovedFloamOptions>("improved_floam",
                                                     "FLOAM with statistical outlier removal and GICP (Fu et al. 2026)"),
+      pipeline<Fu2026, Fu2026Options>("fu2026", "Fu et al. 2026 as printed, to be held against"),
       pipeline<Floam, FloamOptions>("floam", "FLOAM (Wang et al. 2021), as its authors set it for 16 beams"),
       pipeline<LegoLoam, LegoLoamOptions>("lego_loam", "LeGO-LOAM with the LiDAR alone (Shan and Englot 2018)"),
       pipeline<LioSam, LioSamOptions>("lio_sam", "LIO-SAM (Shan et al. 2020) with the LiDAR alone"),
@@ -55,8 +71,9 @@ std::vector<PipelineInfo> pipelines() {
   return infos;
 }
 
-std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionValues& values) {
-  return std::make_unique<JudgedOdometry>(std::make_unique<MountedOdometry>(find(name).make(values)));
+std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionValues& values,
+                                        const std::shared_ptr<const ExternalMotion>& external) {
+  return std::make_unique<JudgedOdometry>(std::make_unique<MountedOdometry>(find(name).make(values, external)));
 }
 
 std::vector<OptionInfo> describe_odometry(const std::string& name, const OptionValues& values) {

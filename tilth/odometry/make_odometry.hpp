@@ -10,6 +10,8 @@
 
 namespace tilth {
 
+class ExternalMotion;
+
 struct PipelineInfo {
   std::string name, summary;
 };
@@ -17,8 +19,11 @@ struct PipelineInfo {
 /// Every pipeline, the default one first.
 std::vector<PipelineInfo> pipelines();
 
-/// Throws Error on an unknown name, option or bound.
-std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionValues& values = {});
+/// `external`: motions of another source (wheels, an IMU, another odometry), as a help where scans tell little; none
+/// by default. Throws Error on an unknown name, option or bound, and on motions for a pipeline that has no use for
+/// them.
+std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionValues& values = {},
+                                        const std::shared_ptr<const ExternalMotion>& external = {});
 
 /// The options of a pipeline with `values` set, for `tilth config`, documents and summaries. Throws like make_odometry.
 std::vector<OptionInfo> describe_odometry(const std::string& name, const OptionValues& values);

@@ -17,11 +17,15 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   const ScanPatches patches{scan.stamp, duration(cloud), surface_patches(cloud, rings_, keep, options_.patches)};
 
   begin_stage("registration");
-  const MotionPrior prior = motion_.predict(patches.time());
+  const std::optional<Pose> told = told_motion(patches.time());
+  const MotionPrior prior = expected(patches.time(), told);
   const ContinuousTimeAlignment alignment = align(patches, prior);
   begin_stage("map");
   const Matrix6d covariance = covariance_of(alignment, patches.time());
   const bool in_map = belongs_in_map(alignment, prior.interval);
+  if (told && in_map)
+    trust_.judge(*told, prior.T_map_last.inverse() * alignment.pose.T_target_source, prior.interval,
+                 alignment.dead_reckoned);
   if (in_map) {
     insert(patches, alignment);
   } else {
@@ -36,6 +40,19 @@ OdometryResult TilthOdometry::register_scan(const Scan& scan) {
   result.counts.outliers = cloud.size() - filtered.size();
   result.filtered = std::move(filtered);
   return result;
+}
+
+std::optional<Pose> TilthOdometry::told_motion(double time) const {
+  if (!external_ || world_.empty()) return std::nullopt;
+  return external_->between(motion_.last_time(), time);
+}
+
+MotionPrior TilthOdometry::expected(double time, const std::optional<Pose>& told) const {
+  MotionPrior prior = motion_.predict(time);
+  if (!told || !prior.known) return prior;
+  prior.claim = trust_.claim(*told, prior.interval, prior.velocity);
+  if (prior.claim) prior.velocity = joined_velocity(prior.velocity, *prior.claim, prior.interval);
+  return prior;
 }
 
 Matrix6d TilthOdometry::covariance_of(const ContinuousTimeAlignment& alignment, double time) {

@@ -3,8 +3,11 @@
 // equation; numbers in comments are those of its equations.
 #pragma once
 
+#include <memory>
+
 #include <tilth/features/surface_patches.hpp>
 #include <tilth/map/patch_map.hpp>
+#include <tilth/odometry/external_motion.hpp>
 #include <tilth/odometry/motion_filter.hpp>
 #include <tilth/odometry/odometry.hpp>
 #include <tilth/odometry/pose_uncertainty.hpp>
@@ -49,12 +52,20 @@ void visit(TilthOptions& o, V&& v) {
 
 class TilthOdometry : public Odometry {
  public:
-  explicit TilthOdometry(const TilthOptions& options)
-      : options_(options), map_(options.map), motion_(options.align.vibration), world_(options.reanchor_after) {}
+  /// `external`: motions of another source, or none.
+  explicit TilthOdometry(const TilthOptions& options, std::shared_ptr<const ExternalMotion> external = {})
+      : options_(options),
+        map_(options.map),
+        motion_(options.align.vibration),
+        world_(options.reanchor_after),
+        external_(std::move(external)) {}
   OdometryResult register_scan(const Scan& scan) override;
   PointCloud local_map() const override;
 
  private:
+  /// The motion since the last scan in the map, as another source tells it.
+  std::optional<Pose> told_motion(double time) const;
+  MotionPrior expected(double time, const std::optional<Pose>& told) const;
   ContinuousTimeAlignment align(const ScanPatches& scan, const MotionPrior& prior);
   ContinuousTimeAlignment align_to_map(const ScanPatches& scan, const MotionPrior& prior) const;
   ContinuousTimeAlignment align_to_map(const ScanPatches& scan, const MotionPrior& prior,
@@ -90,9 +101,11 @@ class TilthOdometry : public Odometry {
   MotionFilter motion_;
   WorldFrame world_;
   PoseUncertainty uncertainty_;
-  UsualFit usual_{{.poor = 0.7, .sure = 0.88}};  // of the scans in the map; good runs: 0.84 at least
-  bool ambiguous_ = false;                       // another motion of the last scan fits as well
-  bool relative_ = false;                        // the map was begun after a loss
+  std::shared_ptr<const ExternalMotion> external_;  // or none
+  MotionTrust trust_;                               // in it
+  UsualFit usual_{{.poor = 0.7, .sure = 0.88}};     // of the scans in the map; good runs: 0.84 at least
+  bool ambiguous_ = false;                          // another motion of the last scan fits as well
+  bool relative_ = false;                           // the map was begun after a loss
 };
 
 }  // namespace tilth

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <tilth/preprocess/adapted_threshold.hpp>
+#include <tilth/preprocess/bounding_ball.hpp>
 #include <tilth/preprocess/cell_support.hpp>
 #include <tilth/preprocess/neighbor_distances.hpp>
 #include <tilth/preprocess/outlier_removal.hpp>
@@ -41,7 +42,10 @@ const std::vector<std::uint8_t>& OutlierFilter::keep_by_distance(const PointClou
     const double average = std::max(spread_of(means_).mean, 1e-9);
     weighted_mean_distances(neighbors, scale_, float(1 / average), means_);
     if (options_.density != DensityTerm::none) {
-      densities(neighbors, scale_, densities_);
+      if (options_.ball == DensityBall::smallest)
+        bounding_ball_densities(cloud, neighbors, scale_, densities_);
+      else
+        densities(neighbors, scale_, densities_);
       keep_below(means_, widened_spread(means_), densities_, options_, keep_);
       return keep_;
     }

@@ -29,6 +29,14 @@ inline std::span<const std::string_view> names_of(DensityTerm) {
   return names;
 }
 
+/// The ball whose volume makes a density: the one about the point that holds its neighbours, or the smallest one that
+/// holds them, wherever its center is (the paper's "minimum bounding sphere").
+enum class DensityBall { about_point, smallest };
+inline std::span<const std::string_view> names_of(DensityBall) {
+  static constexpr std::array<std::string_view, 2> names{"about_point", "smallest"};
+  return names;
+}
+
 struct OutlierOptions {
   OutlierMethod method = OutlierMethod::support;
   int k = 10;
@@ -37,6 +45,7 @@ struct OutlierOptions {
   double density_min = 0.0;
   double density_max = 1.0;
   bool per_range = true;
+  DensityBall ball = DensityBall::about_point;
   RingSupportOptions support = {};
 };
 
@@ -50,10 +59,12 @@ void visit(OutlierOptions& o, V&& v) {
   v("alpha", o.alpha, Bounds{0, 100}, "[-] width of the threshold in standard deviations");
   v("density", o.density, "[-] density term g(x) of the threshold, x = density / mean density: 1/x, or 1 - x",
     kAdvanced);
-  v("density_min", o.density_min, Bounds{-1, 100}, "[-] least value of the density term", kAdvanced);
-  v("density_max", o.density_max, Bounds{-1, 100}, "[-] greatest value of the density term", kAdvanced);
+  v("density_min", o.density_min, Bounds{-1e9, 1e9}, "[-] least value of the density term", kAdvanced);
+  v("density_max", o.density_max, Bounds{-1e9, 1e9}, "[-] greatest value of the density term", kAdvanced);
   v("per_range", o.per_range, "[-] measure distances in units of the range: a spinning LiDAR's spacing grows with it",
     kAdvanced);
+  v("ball", o.ball,
+    "[-] density: k / volume of the ball about a point that holds its neighbours, or of the smallest one", kAdvanced);
   visit(o.support, v);
 }
 

@@ -68,6 +68,7 @@ void add_priors(const PatchPairs& pairs, const MotionPrior& prior, const Continu
     }
   }
   if (prior.known) add_pose_prior(prior, options, state, at_state.whole);
+  add_claim(prior, state, at_state.whole);
   add_velocity_prior(prior, options, state, at_state.whole);
 }
 

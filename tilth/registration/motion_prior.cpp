@@ -36,6 +36,18 @@ void add_pose_prior(const MotionPrior& prior, const ContinuousTimeOptions& optio
   system.b.head<6>() += weights.cwiseProduct(log(predicted(prior).inverse() * state.T_map_lidar));
 }
 
+void add_claim(const MotionPrior& prior, const MotionState& state, ContinuousTimeSystem& system) {
+  if (!prior.claim) return;
+  constexpr double kSquaredWidth = 16;  // of the kernel; 6 is what a claim that holds comes to
+  const Pose T_map_claimed = retract(prior.T_map_last, prior.claim->motion);
+  const Vector6d off = log(T_map_claimed.inverse() * state.T_map_lidar);
+  const Vector6d information = prior.claim->variances.cwiseInverse();
+  const double doubt = 1 + off.cwiseAbs2().dot(information) / kSquaredWidth;
+  const Vector6d weights = information / (doubt * doubt);  // Geman-McClure, as of the pairs
+  system.H.topLeftCorner<6, 6>() += weights.asDiagonal();
+  system.b.head<6>() += weights.cwiseProduct(off);
+}
+
 Vector6d acceleration_in(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state) {
   if (!accelerates(prior, options)) return Vector6d::Zero();
   return 2 / prior.interval * (state.motion.velocity - motion_since_last(prior, state.T_map_lidar));

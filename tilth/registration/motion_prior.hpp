@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include <tilth/core/scan_vibration.hpp>
 #include <tilth/registration/continuous_time_alignment.hpp>
@@ -10,6 +11,12 @@
 #include <tilth/registration/continuous_time_system.hpp>
 
 namespace tilth {
+
+/// What another source than the scans tells of the motion since the last pose.
+struct MotionClaim {
+  Vector6d motion = Vector6d::Zero();     ///< [rad, m] log of T_last_lidar
+  Vector6d variances = Vector6d::Zero();  ///< [rad^2, m^2]
+};
 
 /// What is known before the scan. Instants are the middles of scans.
 struct MotionPrior {
@@ -22,6 +29,7 @@ struct MotionPrior {
   VibrationSigma vibration = {};                ///< of the scan's vibration; none: none is estimated
   ScanVibration vibration_mean = {};            ///< of the last scans' vibrations
   double vibration_gain = 0.0;                  ///< weight of the scan in that mean
+  std::optional<MotionClaim> claim = {};        ///< from outside
   bool known = false;                           ///< false: nothing is known of the motion yet, only that it is steady
 };
 
@@ -46,6 +54,10 @@ double steady_shift(const MotionPrior& prior, const ContinuousTimeOptions& optio
 /// that a robot is capable of.
 void add_pose_prior(const MotionPrior& prior, const ContinuousTimeOptions& options, const MotionState& state,
                     ContinuousTimeSystem& system);
+
+/// What another source claims (docs/method.md, 13a), the less the farther the scan is from it; nothing where there is
+/// no claim.
+void add_claim(const MotionPrior& prior, const MotionState& state, ContinuousTimeSystem& system);
 
 /// Acceleration in the scan (docs/method.md, 4): what a velocity in the middle of the scan that differs from the motion
 /// since the last one says: the scan is bent. [rad/s^2, m/s^2]; 0 before anything is known of the motion, and where

@@ -8,6 +8,8 @@
 #endif
 
 #include <tilth/core/error.hpp>
+#include <tilth/core/parallel.hpp>
+#include <tilth/simulation/mesh_points.hpp>
 #include <tilth/simulation/mesh_world.hpp>
 
 namespace tilth {
@@ -36,6 +38,35 @@ RTCRayHit to_embree(const Ray& ray) {
   out.ray.mask = ~0u;
   out.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   return out;
+}
+
+/// The nearest point of a mesh so far.
+struct NearestPoint {
+  const Mesh& mesh;
+  Vector3d from;
+  double squared = std::numeric_limits<double>::infinity();  ///< [m^2]
+};
+
+/// Embree calls this for each triangle within the radius of a query, which shrinks with what was found.
+bool look_at_triangle(RTCPointQueryFunctionArguments* found) {
+  auto& nearest = *static_cast<NearestPoint*>(found->userPtr);
+  const Triangle& triangle = nearest.mesh.triangles[found->primID];
+  const double squared = (closest_point(nearest.mesh, triangle, nearest.from) - nearest.from).squaredNorm();
+  if (squared >= nearest.squared) return false;
+  nearest.squared = squared;
+  found->query->radius = std::nextafter(float(std::sqrt(squared)), std::numeric_limits<float>::infinity());
+  return true;
+}
+
+double distance_to(RTCScene scene, const Mesh& mesh, const Vector3d& point) {
+  NearestPoint nearest{mesh, point};
+  RTCPointQuery query{};
+  query.x = float(point.x()), query.y = float(point.y()), query.z = float(point.z());
+  query.radius = std::numeric_limits<float>::infinity();
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(scene, &query, &context, look_at_triangle, &nearest);
+  return std::sqrt(nearest.squared);
 }
 
 /// Finds what each ray, they lie side by side, meets first.
@@ -122,6 +153,15 @@ std::vector<Hit> MeshWorld::cast(std::span<const Ray> rays) const {
   }
   tilth::cast(movers_, rays, hits);
   return hits;
+}
+
+std::vector<double> MeshWorld::distances(std::span<const Vector3d> points) const {
+  constexpr std::size_t kChunk = 1024;
+  std::vector<double> distances(points.size());
+  parallel_for(points.size(), kChunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) distances[i] = distance_to(tree_->scene, mesh_, points[i]);
+  });
+  return distances;
 }
 
 }  // namespace tilth

@@ -1,4 +1,4 @@
-// A mesh and what moves in it, cast with Intel Embree 3 (Wald et al., ACM TOG 2014). About 0.2 us a ray in a corridor.
+// A mesh and what moves in it, cast with Intel Embree (Wald et al., ACM TOG 2014). About 0.2 us a ray in a corridor.
 #pragma once
 
 #include <memory>
@@ -16,6 +16,10 @@ class MeshWorld : public World {
   MeshWorld& operator=(const MeshWorld&) = delete;
 
   std::vector<Hit> cast(std::span<const Ray> rays) const override;
+
+  /// [m] from each point to the nearest point of the mesh; what moves is not asked. O(log triangles) a point, in
+  /// parallel.
+  std::vector<double> distances(std::span<const Eigen::Vector3d> points) const;
 
   const Mesh& mesh() const { return mesh_; }
   const Movers& movers() const { return movers_; }
