@@ -154,6 +154,20 @@ TEST(OusterDecoder, TurnsOfLessThanHalfAreLeftOut) {
   EXPECT_EQ(counts.incomplete, 2U);
 }
 
+TEST(OusterDecoder, PacketsOfAnotherSensorAreRefusedByItsSerialNumber) {
+  OusterMetadata metadata = metadata_of(OusterProfile::single);
+  metadata.serial = "122150000150", metadata.start = 77;
+  Made made = made_turns(metadata, 1);
+  for (EncodedPacket& packet : made.packets) {
+    for (std::size_t i = 0; i < 5; ++i) packet.payload[7 + i] = std::byte(122150000150 >> 8 * i & 0xFF);
+    packet.payload[4] = std::byte(78);
+  }
+  const OusterDecoder decoder(made.all(), {}, made.file);
+  EXPECT_NE(decoder.decisions().back().find("another start"), std::string::npos) << decoder.decisions().back();
+  made.file.ouster->serial = "992137000142";
+  EXPECT_THROW(OusterDecoder(made.all(), {}, made.file), Error);
+}
+
 TEST(OusterMetadata, ComesBackFromItsText) {
   const OusterMetadata made = ouster_metadata_of(os1_64(), OusterProfile::low);
   const OusterMetadata read = parse_ouster_metadata(ouster_metadata_text(made), "made.json");

@@ -133,6 +133,30 @@ TEST(PacketRoundTrip, RingsOfSimulatedPacketsLieAtThePublishedAngles) {
   for (const std::size_t count : seen) EXPECT_GT(count, 1000U);
 }
 
+TEST(PacketRoundTrip, SensorsOfTwoMakersAreToldApartByTheirAddress) {
+  const TemporaryFolder folder;
+  const Simulator ouster = simulator("os1_64"), puck = simulator("vlp16");
+  PacketStream ousters(ouster.lidar()), pucks(puck.lidar());
+  write_text(folder / "both.json", ousters.sensor_file().text);
+  PcapWriter file(folder / "both.pcap");
+  for (std::size_t i = 0; i < ouster.size(); ++i) {
+    for (const EncodedPacket& packet : ousters.encode(ouster.scan(i).scan))
+      file.write(packet.sent, {0x0A000001, 0x0A0000FF, 7502, 7502}, packet.payload);
+    for (const EncodedPacket& packet : pucks.encode(puck.scan(i).scan))
+      file.write(packet.sent, {0x0A000002, 0x0A0000FF, 2368, 2368}, packet.payload);
+  }
+  file.close();
+  for (const auto& [host, name, rings] : {std::tuple{"10.0.0.1", "(ouster)", 64U}, {"10.0.0.2", "(vlp16)", 16U}}) {
+    const auto source = open_source((folder / "both.pcap").string() + "?host=" + host, {});
+    EXPECT_NE(source->decisions().at(1).find(name), std::string::npos) << source->decisions().at(1);
+    std::size_t scans = 0;
+    for (; const auto scan = source->next(); ++scans) {
+      for (const std::uint16_t ring : scan->cloud.rings) ASSERT_LT(ring, rings);
+    }
+    EXPECT_EQ(scans, ouster.size()) << host;
+  }
+}
+
 TEST(PacketRoundTrip, WhatPacketsCannotHoldIsRefused) {
   Scan snapshot = simulator("vlp16").scan(0).scan;
   const PacketFormat format = packet_format_of(vlp16());

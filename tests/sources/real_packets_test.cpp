@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "support/real_recording.hpp"
+#include <tilth/core/error.hpp>
 #include <tilth/io/pcd.hpp>
 #include <tilth/sources/open_source.hpp>
 
@@ -157,7 +158,17 @@ TEST(RealPackets, ADualReturnBagGivesTheCloudThatAnotherDecoderMade) {
   EXPECT_GT(near, all * 5 / 6);
 }
 
-/// Numbers of points and brightest returns as ouster-sdk 1.0.1 has them; its cloud lies within 4 micrometres of ours.
+TEST(RealPackets, TheMetadataOfAnotherOusterAreRefused) {
+  const std::string file = packets("ouster_OS-1-128_v2.3.0_1024x10_lb_n3.pcap");
+  const std::string other = packets("ouster_OS-0-32-U1_v2.2.0_1024x10.json");  // its packets are as long
+  NEEDS(file);
+  NEEDS(other);
+  SourceOptions options;
+  options.values["sensor_file"] = other;
+  EXPECT_THROW(open_source(file, options), Error);
+}
+
+/// Numbers of points as ouster-sdk 1.0.1 has them; its cloud lies within 4 micrometres of ours.
 TEST(RealPackets, OustersAreDecodedWithTheMetadataBesideThem) {
   struct Captured {
     const char *file, *product;
@@ -178,6 +189,7 @@ TEST(RealPackets, OustersAreDecodedWithTheMetadataBesideThem) {
     for (const std::uint16_t ring : scan->cloud.rings) ASSERT_LT(ring, expected.rings);
     EXPECT_FALSE(source->next());
     EXPECT_FALSE(says(source->notices(), "lost"));
+    EXPECT_TRUE(says(source->notices(), "the sensor's clock runs free"));
   }
 }
 

@@ -23,6 +23,7 @@ class BlockDecoder : public PacketDecoder {
   std::optional<Scan> decode(const Packet& packet) override;
   std::optional<Scan> finish() override;
   std::size_t rings() const override { return format().channels(); }
+  bool clock_runs_free() const override { return clock_.runs_free(); }
   const PacketFormat& format() const { return convention_.format; }
 
  private:

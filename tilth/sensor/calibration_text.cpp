@@ -63,19 +63,22 @@ LaserCalibration velodyne_laser(const F& value, double angle, double length) {
   return {value("vertCorrection") * angle, offsets};
 }
 
-/// Elements <px> of <points_> with <rotCorrection_> and so on.
+/// Elements <px> of <points_> with <rotCorrection_> and so on. A file may list more lasers than are enabled.
 UnitCalibration parse_xml(std::string_view text, const std::string& name) {
   pugi::xml_document document;
   const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size());
   if (!result) throw Error(name, "is no XML: " + std::string(result.description()));
   LaserList lasers(name);
+  const pugi::xpath_node_set enabled = document.select_nodes("//enabled_/item");
   for (const pugi::xpath_node& found : document.select_nodes("//px")) {
     const pugi::xml_node laser = found.node();
+    const std::size_t id = laser.child("id_").text().as_uint(unsigned(kMostLasers));
+    if (id < enabled.size() && enabled[id].node().text().as_int() == 0) continue;
     const auto number = [&](const std::string& key) { return laser.child((key + "_").c_str()).text().as_double(NAN); };
     const auto value = [&](const char* key) {
       return laser.child((std::string(key) + "_").c_str()) ? number(key) : 0.0;
     };
-    lasers.add(laser.child("id_").text().as_uint(unsigned(kMostLasers)), velodyne_laser(value, kDegree, kCentimetre));
+    lasers.add(id, velodyne_laser(value, kDegree, kCentimetre));
   }
   return lasers.done();
 }

@@ -47,9 +47,12 @@ OusterDecoder::OusterDecoder(std::span<const Packet> first, const PacketOptions&
     directions_.emplace_back(std::cos(aside) * std::cos(up), std::sin(aside) * std::cos(up), std::sin(up));
   }
   std::vector<ClockReading> readings;
+  bool other_start = false;
   for (const Packet& packet : first) {
     if (packet.payload.size() != packet_size(metadata_)) continue;
     const OusterPacket columns(packet.payload, metadata_);
+    if (readings.empty()) require_same_sensor(columns, metadata_, file.name);
+    other_start = metadata_.start != 0 && columns.start() != 0 && columns.start() != metadata_.start;
     if (const auto valid = first_valid(columns))
       readings.push_back({seconds_of(columns.timestamp(*valid)), packet.arrival});
   }
@@ -63,6 +66,8 @@ OusterDecoder::OusterDecoder(std::span<const Packet> first, const PacketOptions&
   traits.absolute = readings.front().sensor > kEarliestClock && readings.front().sensor < kLatestClock;
   clock_.emplace(readings, traits);
   decide(file.name);
+  if (other_start)
+    decisions_.push_back(file.name + ": of another start of the sensor, whose settings may have changed");
 }
 
 void OusterDecoder::decide(const std::string& file) {

@@ -21,6 +21,7 @@ class OusterDecoder : public PacketDecoder {
   std::optional<Scan> decode(const Packet& packet) override;
   std::optional<Scan> finish() override;
   std::size_t rings() const override { return metadata_.rows(); }
+  bool clock_runs_free() const override { return clock_->runs_free(); }
 
  private:
   /// A column of a turn.

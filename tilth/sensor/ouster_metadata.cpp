@@ -159,6 +159,8 @@ OusterMetadata parse_ouster_metadata(std::string_view text, const std::string& n
   OusterMetadata metadata;
   metadata.product = read.text("prod_line"), metadata.serial = read.text("prod_sn");
   metadata.firmware = read.text("build_rev");
+  if (const Json* start = read.find("initialization_id"); start != nullptr && start->is_number_unsigned())
+    metadata.start = std::uint32_t(start->get<std::uint64_t>() & 0xFFFFFF);
   metadata.altitudes = angles(read, "beam_altitude_angles");
   metadata.azimuths = angles(read, "beam_azimuth_angles");
   if (metadata.azimuths.size() != metadata.altitudes.size() ||

@@ -22,6 +22,7 @@ enum class OusterProfile : std::uint8_t {
 
 struct OusterMetadata {
   std::string product, serial, firmware;  ///< as the sensor writes them; empty: not told
+  std::uint32_t start = 0;                ///< number of the start after which it said so; 0: not told
   OusterProfile profile = OusterProfile::legacy;
   std::size_t columns = 1024;                       ///< measurements a turn
   std::size_t columns_a_packet = 16;                ///< [-]

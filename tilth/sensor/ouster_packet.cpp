@@ -1,13 +1,16 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <string>
 
+#include <tilth/core/error.hpp>
 #include <tilth/sensor/ouster_packet.hpp>
 
 namespace tilth {
 namespace {
 
 constexpr std::size_t kMeasurement = 8, kLegacyFrame = 10, kStatus = 10;  ///< in the header of a column
+constexpr std::size_t kStart = 4, kSerial = 7;                            ///< in the header of a packet
 constexpr std::uint64_t kPacketType = 1;
 
 std::uint64_t little(std::span<const std::byte> bytes, std::size_t at, std::size_t count) {
@@ -92,8 +95,22 @@ OusterPixel OusterPacket::pixel(std::size_t column, std::size_t row, std::size_t
   }
 }
 
+std::uint64_t OusterPacket::serial() const {
+  return metadata_->profile == OusterProfile::legacy ? 0 : number(kSerial, 5);
+}
+
+std::uint32_t OusterPacket::start() const {
+  return metadata_->profile == OusterProfile::legacy ? 0 : std::uint32_t(number(kStart, 3));
+}
+
 std::uint64_t OusterPacket::number(std::size_t at, std::size_t bytes) const {
   return little(payload_, at, bytes);
+}
+
+void require_same_sensor(const OusterPacket& packet, const OusterMetadata& metadata, const std::string& file) {
+  const std::string serial = std::to_string(packet.serial());
+  if (packet.serial() == 0 || metadata.serial.empty() || metadata.serial == serial) return;
+  throw Error(file, "is of the sensor with serial number " + metadata.serial + ", but these packets are of " + serial);
 }
 
 }  // namespace tilth

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include <tilth/sensor/ouster_metadata.hpp>
 
@@ -39,6 +40,8 @@ class OusterPacket {
   std::size_t measurement(std::size_t column) const;  ///< of the turn, 0 at angle 0
   std::uint16_t frame(std::size_t column) const;      ///< number of the turn
   OusterPixel pixel(std::size_t column, std::size_t row, std::size_t echo) const;
+  std::uint64_t serial() const;  ///< of the sensor; 0: not told
+  std::uint32_t start() const;   ///< number of its start; 0: not told
 
  private:
   std::size_t begin_of(std::size_t column) const { return layout_->header + column * column_size_; }
@@ -49,6 +52,10 @@ class OusterPacket {
   const OusterLayout* layout_;
   std::size_t column_size_;
 };
+
+/// Packets of another sensor may be as long by chance. Throws Error naming `file`, where `metadata` are from, if both
+/// tell a serial number and it is not the same.
+void require_same_sensor(const OusterPacket& packet, const OusterMetadata& metadata, const std::string& file);
 
 /// [bytes] of the packets of that sensor.
 std::size_t packet_size(const OusterMetadata& metadata);

@@ -66,6 +66,7 @@ void PacketClock::anchor(std::span<const double> running, double arrival_offset)
   const bool hourly = traits_.wrap > kAgreement;  // time zones are whole half hours apart
   const double whole = hourly ? nearest_multiple(arrival_offset, std::min(traits_.wrap, kHalfHour)) : 0.0;
   const bool agree = hourly && std::abs(arrival_offset - whole) <= kAgreement;
+  runs_free_ = !agree;
   offset_ = agree ? whole : arrival_offset;
   decision_ = agree ? "stamps: of the sensor's clock, the hour from the receiver's"
                     : "stamps: of the sensor's clock, which runs free; set to the receiver's by the earliest arrival";

@@ -39,7 +39,8 @@ class PacketClock {
   std::optional<double> time(const ClockReading& reading);
 
   const std::string& decision() const { return decision_; }
-  std::size_t jumps() const { return jumps_; }                    ///< times at which the sensor's clock was set anew
+  bool runs_free() const { return runs_free_; }  ///< nothing sets the sensor's clock, so the receiver's was taken once
+  std::size_t jumps() const { return jumps_; }   ///< times at which the sensor's clock was set anew
   std::size_t receiver_jumps() const { return receiver_jumps_; }  ///< and the receiver's
 
  private:
@@ -52,7 +53,8 @@ class PacketClock {
   void match_hours(double arrival_offset);
 
   ClockTraits traits_;
-  bool still_ = false;                         // the sensor's clock does not run
+  bool still_ = false;  // the sensor's clock does not run
+  bool runs_free_ = false;
   double base_ = 0.0;                          // [s] wraps and jumps so far
   double offset_ = 0.0;                        // [s] from the running clock to the times given out
   std::optional<double> last_, last_arrival_;  // [s] on the running clock

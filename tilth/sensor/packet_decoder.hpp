@@ -69,6 +69,7 @@ class PacketDecoder {
   virtual std::size_t rings() const = 0;
   const std::vector<std::string>& decisions() const { return decisions_; }
   const PacketCounts& counts() const { return counts_; }
+  virtual bool clock_runs_free() const = 0;                                  ///< see PacketClock::runs_free()
   const std::optional<PositionInfo>& position() const { return position_; }  ///< of the last position packet
 
  protected:

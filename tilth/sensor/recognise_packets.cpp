@@ -117,6 +117,7 @@ std::string returns_sentence(const DataPacket& packet) {
 PacketConvention recognise_packets(std::span<const Packet> packets, std::string_view sensor, const SensorFile& file) {
   const FirstPackets first = sorted_packets(packets);
   if (first.data.empty()) throw Error("packets", "none is a data packet of a sensor that `tilth sensors` lists");
+  if (file.ouster) throw Error(file.name, "is the metadata of an Ouster sensor, but these packets are of another one");
   PacketConvention convention;
   convention.format = most_likely(possible_rows(first, sensor), first);
   const PacketFormat& format = convention.format;

@@ -83,6 +83,11 @@ class PacketSource : public ScanSource {
     const PacketCounts& counts = decoder_->counts();
     std::vector<std::string> all{"packets: " + std::to_string(counts.data) + " with points, " +
                                  std::to_string(counts.device + counts.position) + " about the sensor"};
+    if (decoder_->clock_runs_free())
+      all.emplace_back(
+          "the sensor's clock runs free: stamps agree with other sensors' only to the delay of the network, and drift; "
+          "PTP "
+          "or the pulse of a GPS receiver would set it");
     if (decoder_->position()) all.push_back(position_text(counts.position, *decoder_->position()));
     const auto tell = [&](std::size_t n, const std::string& noun, const std::string& rest) {
       if (n > 0) all.push_back(counted(n, noun) + " " + rest);
