@@ -15,6 +15,13 @@ constexpr double kProbation = 2.0;    // [s]
 // What a robot is capable of, as `tilth` takes it: align.acceleration, align.angular_acceleration.
 constexpr double kAcceleration = 10.0, kAngularAcceleration = 20.0;  // [m/s^2] [rad/s^2]
 
+/// Where a scan hardly tells of a direction, registration lags by a percent or two: a scale that is no more is not the
+/// source's.
+double sure_scale(double scale) {
+  constexpr double kLeast = 0.03;
+  return std::abs(scale - 1) > kLeast ? scale : 1.0;
+}
+
 bool is_capable(const Vector6d& change, double interval) {
   constexpr double kMostSigma = 3.0;
   return change.head<3>().norm() <= kMostSigma * kAngularAcceleration * interval &&
@@ -44,8 +51,8 @@ std::optional<Pose> ExternalMotion::between(double from, double to) const {
 }
 
 Vector6d MotionTrust::scaled(Vector6d motion) const {
-  motion.head<3>() *= turn_.scale();
-  motion.tail<3>() *= shift_.scale();
+  motion.head<3>() *= sure_scale(turn_.scale());
+  motion.tail<3>() *= sure_scale(shift_.scale());
   return motion;
 }
 
