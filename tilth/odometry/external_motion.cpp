@@ -22,6 +22,13 @@ double sure_scale(double scale) {
   return std::abs(scale - 1) > kLeast ? scale : 1.0;
 }
 
+/// [rad^2, m^2] by which a robot's accelerations change a motion of `interval` [s].
+Vector6d expected_variances(double interval) {
+  Vector6d accelerations;
+  accelerations << Eigen::Vector3d::Constant(kAngularAcceleration), Eigen::Vector3d::Constant(kAcceleration);
+  return (0.5 * interval * interval * accelerations).cwiseAbs2();
+}
+
 bool is_capable(const Vector6d& change, double interval) {
   constexpr double kMostSigma = 3.0;
   return change.head<3>().norm() <= kMostSigma * kAngularAcceleration * interval &&
@@ -67,7 +74,8 @@ std::optional<MotionClaim> MotionTrust::claim(const Pose& T_from_to, double inte
   MotionClaim claim{motion, (kCaution * squares_).cwiseMax(least)};
   claim.variances.head<3>().array() += turn_.squared_share() * motion.head<3>().squaredNorm();
   claim.variances.tail<3>().array() += shift_.squared_share() * motion.tail<3>().squaredNorm();
-  return claim;
+  const bool says_more = (claim.variances.array() < expected_variances(interval).array()).all();
+  return says_more ? std::optional(claim) : std::nullopt;  // than that the motion goes on
 }
 
 void MotionTrust::MotionScale::add(const Eigen::Vector3d& told_motion, const Eigen::Vector3d& found_motion,
@@ -94,9 +102,7 @@ void MotionTrust::judge(const Pose& T_from_to, const Pose& found, double interva
 }
 
 Vector6d joined_velocity(const Vector6d& velocity, const MotionClaim& claim, double interval) {
-  Vector6d expected;  // [rad, m] standard deviations
-  expected << Eigen::Vector3d::Constant(kAngularAcceleration), Eigen::Vector3d::Constant(kAcceleration);
-  const Vector6d variances = (0.5 * interval * interval * expected).cwiseAbs2();
+  const Vector6d variances = expected_variances(interval);
   const Vector6d gain = variances.cwiseQuotient(variances + claim.variances);
   return velocity + gain.cwiseProduct(claim.motion / interval - velocity);
 }
