@@ -101,11 +101,7 @@ std::shared_ptr<ViewServer> open_view(const RunArguments& arguments, RunObserver
   return server;
 }
 void add_prior_flag(CLI::App& command, RunArguments& arguments) {
-  command
-      .add_option(
-          "--prior", arguments.prior,
-          "trajectory of the LiDAR by another source (wheels, an IMU, another odometry), by the clock of the scans")
-      ->option_text("FILE");
+  command.add_option("--prior", arguments.prior, kPriorMeaning)->option_text("FILE");
 }
 
 namespace {
@@ -126,6 +122,7 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
   plan.record = new_record(arguments.source, choice.name, choice.values);
   add_options(source_options, source_defaults, plan.record);
   add_options(describe_beams(arguments.beams, arguments.learn_beams), describe_beams({}, false), plan.record);
+  add_options(describe_prior(arguments.prior), describe_prior({}), plan.record);
   add_options(describe_mount(arguments.base_from_lidar, arguments.level), describe_mount("", false), plan.record);
   if (!arguments.base_from_lidar.empty()) plan.record.T_base_lidar = parse_mount(arguments.base_from_lidar);
   if (!arguments.beams.empty()) plan.beams = read_beams(arguments.beams);

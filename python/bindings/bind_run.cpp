@@ -12,6 +12,7 @@
 #include "names.hpp"
 #include "records.hpp"
 #include "run_request.hpp"
+#include <tilth/run/base_frame.hpp>
 #include <tilth/run/summary_json.hpp>
 #include <tilth/run/track_record.hpp>
 #include <tilth/sources/live_source.hpp>
@@ -83,7 +84,8 @@ NamedValues scan_columns(const RunOutcome& outcome) {
   return nb::borrow<NamedValues>(columns);
 }
 
-std::pair<ColumnArray<double>, PosesArray> pair_of(const Trajectory& trajectory) {
+std::pair<ColumnArray<double>, PosesArray> pair_of(const Trajectory& of_lidar, const RunRecord& record) {
+  const Trajectory trajectory = poses_of_base(of_lidar, record.T_base_lidar);
   return {stamps_array(trajectory), poses_array(trajectory)};
 }
 
@@ -108,6 +110,7 @@ void add_request(nb::module_& module) {
       .def_rw("beams", &RunRequest::beams)
       .def_rw("truth", &RunRequest::truth)
       .def_rw("calibration", &RunRequest::calibration)
+      .def_rw("base_from_lidar", &RunRequest::base_from_lidar)
       .def_rw("max_scans", &RunRequest::max_scans)
       .def_rw("threads", &RunRequest::threads)
       .def_rw("loop_closure", &RunRequest::loop_closure)
@@ -126,8 +129,9 @@ void add_run(nb::module_& module) {
   add_request(module);
   nb::class_<RunOutcome>(module, "RunOutcome")
       .def_ro("failures", &RunOutcome::failures)
-      .def("trajectory", [](O o) { return pair_of(o.record.trajectory); })
-      .def("odometry", [](O o) { return pair_of(o.record.loops ? o.record.loops->odometry : o.record.trajectory); })
+      .def("trajectory", [](O o) { return pair_of(o.record.trajectory, o.record); })
+      .def("odometry",
+           [](O o) { return pair_of(o.record.loops ? o.record.loops->odometry : o.record.trajectory, o.record); })
       .def("map", [](O o) { return map_array(o.record.map); })
       .def(
           "map_records", [](O o) { return structured_array(o.record.map.records()); },

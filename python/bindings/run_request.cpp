@@ -5,8 +5,10 @@
 #include "locked_folder.hpp"
 #include "threads.hpp"
 #include <tilth/io/beam_file.hpp>
+#include <tilth/odometry/continued_odometry.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/report/run_outputs.hpp>
+#include <tilth/run/base_frame.hpp>
 #include <tilth/run/beam_pipeline.hpp>
 #include <tilth/run/ended_run.hpp>
 #include <tilth/run/new_record.hpp>
@@ -21,6 +23,9 @@ RunRecord record_of(const RunRequest& request) {
   RunRecord record = new_record(request.source, request.pipeline, request.values);
   add_options(describe_source(request.input), describe_source({}), record);
   add_options(describe_beams(request.beams, request.learn_beams), describe_beams({}, false), record);
+  add_options(describe_prior({}), describe_prior({}), record);
+  add_options(describe_mount(request.base_from_lidar, false), describe_mount({}, false), record);
+  if (!request.base_from_lidar.empty()) record.T_base_lidar = parse_mount(request.base_from_lidar);
   if (request.loop_closure) add_options(describe(with<SlamOptions>(request.loop)), describe(SlamOptions{}), record);
   record.map = MapBuilder(with<MapOptions>(request.map));
   return record;
@@ -32,6 +37,9 @@ Pipeline pipeline_of(const RunRequest& request) {
   if (!request.beams.empty()) known = read_beams(request.beams);
   Pipeline pipeline = with_beams(make_odometry(request.pipeline, request.values),
                                  request.learn_beams ? BeamLearning::correct : BeamLearning::watch, std::move(known));
+  if (!request.base_from_lidar.empty())
+    pipeline.odometry =
+        std::make_unique<ContinuedOdometry>(std::move(pipeline.odometry), parse_mount(request.base_from_lidar));
   return request.loop_closure ? with_loop_closure(std::move(pipeline), loop) : std::move(pipeline);
 }
 

@@ -21,6 +21,7 @@ struct RunRequest {
   OptionValues values, loop, map;         ///< of the pipeline, of SlamOptions and of MapOptions
   OptionValues output, report;            ///< of OutputOptions and ReportOptions
   std::string beams, truth, calibration;  ///< files; empty: none
+  std::string base_from_lidar;            ///< as parse_mount takes it; empty: not known
   std::size_t max_scans = 0;              ///< zero: all
   int threads = 0;                        ///< zero: as many as there are processors
   bool loop_closure = false, learn_beams = false, strict = false;

@@ -115,6 +115,7 @@ def run(
     outputs: Mapping[str, OptionValue] | None = None,
     beams: str | os.PathLike[str] = "",
     learn_beams: bool = False,
+    base_from_lidar: str = "",
     truth: str | os.PathLike[str] = "",
     calibration: str | os.PathLike[str] = "",
     max_scans: int = 0,
@@ -132,6 +133,7 @@ def run(
     outputs: of the map, the files and the report, as the flags of ``tilth run``: ``{"map_voxel": 0.05, "mcap": True}``.
     beams: file of the errors of the sensor's beams, which are taken out of every scan.
     learn_beams: errors of beams are taken out of the scans from where the drive has shown them.
+    base_from_lidar: how the LiDAR is mounted, "x,y,z,roll,pitch,yaw" [m, deg]: poses are then of the robot's base_link.
     truth, calibration: file of true poses to judge the run by, and KITTI's calibration.
     max_scans: stop after so many; 0: all. threads: 0: as many as there are processors.
     strict: a record that cannot be used ends the run.
@@ -144,7 +146,7 @@ def run(
     request = _request(source, options)
     request.out = "" if out is None else os.fspath(out)
     request.pipeline, request.loop_closure, request.strict = pipeline, loop_closure, strict
-    request.learn_beams = learn_beams
+    request.learn_beams, request.base_from_lidar = learn_beams, base_from_lidar
     request.loop = option_values({"loop": loop or {}})
     _set_outputs(request, option_values(outputs or {}))
     request.beams, request.truth, request.calibration = os.fspath(beams), os.fspath(truth), os.fspath(calibration)

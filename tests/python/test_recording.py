@@ -83,6 +83,16 @@ def test_a_run_makes_the_programs_files(drive, program_run, tmp_path):
     assert np.array_equal(run.scans["stamp"], run.trajectory.stamps)
 
 
+def test_a_run_gives_poses_of_the_base(drive, program, tmp_path):
+    mount = "0.3,0,0.8,0,5,90"
+    run = tilth.run(drive, tmp_path / "ours", base_from_lidar=mount)
+    program("run", drive, "--base-from-lidar", mount, "--out", tmp_path / "theirs")
+    assert (tmp_path / "ours/trajectory.tum").read_bytes() == (tmp_path / "theirs/trajectory.tum").read_bytes()
+    assert np.allclose(run.trajectory.poses[0], np.eye(4), atol=1e-3)
+    with pytest.raises(tilth.Error, match="base_from_lidar 1,2"):
+        tilth.run(drive, base_from_lidar="1,2")
+
+
 def test_a_run_without_files_has_the_same_bits(drive, program_run, tmp_path):
     run = tilth.run(tilth.open(drive), threads=1)
     run.trajectory.save(tmp_path / "ours.tum")

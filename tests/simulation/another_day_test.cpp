@@ -75,7 +75,7 @@ TEST(AnotherDay, ACoveredSensorSeesNothing) {
       "office",
       simulation_options(
           "office",
-          {{"kidnap", "1"}, {"covered", "1"}, {"duration", "4"}, {"columns", "100"}, {"kidnap_jump", "0.1"}}));
+          {{"kidnap", "1"}, {"covered", "1"}, {"duration", "12"}, {"columns", "100"}, {"kidnap_jump", "0.1"}}));
   EXPECT_FALSE(simulator.scan(2).scan.cloud.empty());
   EXPECT_TRUE(simulator.scan(14).scan.cloud.empty());
   EXPECT_TRUE(simulator.scan(14).labels.empty());

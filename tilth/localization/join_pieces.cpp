@@ -11,9 +11,9 @@ namespace {
 constexpr double kTieStep = 3.0;  // [m] between places that are looked for
 
 /// Some keyframes of a drive as a map, where its pose graph has them.
-class KeyframeMap final : public PlaceMap {
+class KeyframePlaces final : public PlaceMap {
  public:
-  KeyframeMap(const LoopCloser& loops, std::vector<std::size_t> chosen) : loops_(loops), chosen_(std::move(chosen)) {
+  KeyframePlaces(const LoopCloser& loops, std::vector<std::size_t> chosen) : loops_(loops), chosen_(std::move(chosen)) {
     UprightGatherer gatherer;
     for (const std::size_t k : chosen_) {
       const Keyframe& keyframe = loops.keyframes()[k];
@@ -37,7 +37,7 @@ class KeyframeMap final : public PlaceMap {
 };
 
 /// The keyframe that stands nearest to a pose in the world.
-std::size_t nearest(const KeyframeMap& map, const Pose& T_world_place) {
+std::size_t nearest(const KeyframePlaces& map, const Pose& T_world_place) {
   const auto distance = [&](const MapPlace& place) {
     return (place.T_map_lidar.translation() - T_world_place.translation()).norm();
   };
@@ -48,8 +48,8 @@ std::size_t nearest(const KeyframeMap& map, const Pose& T_world_place) {
 }
 
 /// Ties are given in the frame of `map`; constraints join keyframes, the earlier one first.
-std::vector<Constraint> constraints_of(const std::vector<MapTie>& ties, const KeyframeMap& map,
-                                       const KeyframeMap& piece, const std::vector<Pose>& poses) {
+std::vector<Constraint> constraints_of(const std::vector<MapTie>& ties, const KeyframePlaces& map,
+                                       const KeyframePlaces& piece, const std::vector<Pose>& poses) {
   std::vector<Constraint> constraints;
   for (const MapTie& tie : ties) {
     const std::size_t from = nearest(map, tie.T_map_place);
@@ -73,7 +73,7 @@ std::size_t join_pieces(Slam& slam, const LocalizerOptions& options) {
       if (pieces[k] == first) piece.push_back(k);
       if (joined[k] && k < first) known.push_back(k);
     }
-    const KeyframeMap map(loops, known), part(loops, piece);
+    const KeyframePlaces map(loops, known), part(loops, piece);
     const std::vector<MapTie> ties = find_ties(map, part, options, kTieStep);
     if (ties.empty()) continue;
     slam.join_pieces(constraints_of(ties, map, part, loops.poses()));

@@ -158,9 +158,7 @@ PoseGraph LoopCloser::graph() const {
 }
 
 std::vector<bool> LoopCloser::joined() const {
-  std::vector<std::size_t> pieces = pieces_of(keyframes_);
-  for (const LoopClosure& c : closures_)
-    if (c.verdict == Verdict::accepted) join(pieces, c.constraint.from, c.constraint.to);
+  const std::vector<std::size_t> pieces = pieces_of(keyframes_, closures_);
   std::vector<bool> joined(pieces.size());
   std::transform(pieces.begin(), pieces.end(), joined.begin(), [](std::size_t piece) { return piece == 0; });
   return joined;

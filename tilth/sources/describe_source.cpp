@@ -33,4 +33,8 @@ std::vector<OptionInfo> describe_beams(const std::string& file, bool learn) {
           {"source.learn_beams", learn ? "true" : "false", "-", kLearnBeamsMeaning, "true | false"}};
 }
 
+std::vector<OptionInfo> describe_prior(const std::string& file) {
+  return {{"source.prior", file, "-", kPriorMeaning, "text"}};
+}
+
 }  // namespace tilth

@@ -15,6 +15,9 @@ inline constexpr const char* kBeamsMeaning =
 inline constexpr const char* kLearnBeamsMeaning =
     "take errors of the beams out of the scans from where the drive has shown them";
 
+inline constexpr const char* kPriorMeaning =
+    "trajectory of the LiDAR by another source (wheels, an IMU, another odometry), by the clock of the scans";
+
 /// The keys of SourceOptions::values: of packets and of point clouds.
 std::vector<OptionInfo> source_value_options();
 
@@ -24,6 +27,9 @@ std::vector<OptionInfo> describe_source(const SourceOptions& source);
 /// The file that the scans are corrected by (empty: none), as source.beams, and whether errors found on the way are
 /// taken out, as source.learn_beams.
 std::vector<OptionInfo> describe_beams(const std::string& file, bool learn);
+
+/// The trajectory that is believed beside the scans (empty: none), as source.prior.
+std::vector<OptionInfo> describe_prior(const std::string& file);
 
 /// What topic, frame and rate mean.
 struct SourceMeanings {
