@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <tilth/odometry/make_odometry.hpp>
+#include <tilth/plot/svg_plot.hpp>
 #include <tilth/report/html_report.hpp>
 #include <tilth/report/run_outputs.hpp>
 #include <tilth/report/run_report.hpp>
@@ -68,6 +69,23 @@ TEST(RunReport, BeginsWithATrackThatWasLost) {
   EXPECT_NE(report_of(lost_record(), 0).alarm.find("lost from 1.000 s"), std::string::npos);
   EXPECT_NE(html_report(report_of(lost_record(), 0)).find("class=\"alarm\""), std::string::npos);
   EXPECT_EQ(html_report(report_of(sample_record(), 0)).find("class=\"alarm\""), std::string::npos);
+}
+
+TEST(RunReport, EveryCurveOverTimeShowsWhereTheTrackWasLost) {
+  std::size_t over_time = 0;
+  for (const Section& section : report_of(lost_record(), 0).sections) {
+    for (const Plot& plot : section.plots) {
+      EXPECT_EQ(plot.alarm.has_value(), plot.over_time) << plot.id;
+      if (!plot.alarm) continue;
+      ++over_time;
+      EXPECT_EQ(plot.alarm->spans, (std::vector{std::pair(1.0, 1.5)})) << plot.id;
+      EXPECT_NE(svg_file(plot).find("class=\"alarm\""), std::string::npos) << plot.id;
+    }
+  }
+  EXPECT_GT(over_time, 8U);
+  for (const Section& section : report_of(sample_record(), 0).sections) {
+    for (const Plot& plot : section.plots) EXPECT_FALSE(plot.alarm) << plot.id;
+  }
 }
 
 }  // namespace

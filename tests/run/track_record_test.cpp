@@ -25,6 +25,17 @@ TEST(TrackRecord, TellsWhereTheTrackWasLost) {
   EXPECT_EQ(track["intervals"][1]["scans"], 2);
 }
 
+TEST(TrackRecord, ALossOfSeveralReasonsIsOne) {
+  ScanTable table = lost_record().scans;
+  const std::size_t last = table.rows.size() - 1;
+  table.rows[last - 1].track = {TrackState::lost, TrackReason::ambiguous};
+  table.rows[last].track = {TrackState::lost, TrackReason::new_map};
+  ASSERT_EQ(track_losses(table).size(), 1U);
+  EXPECT_EQ(track_losses(table)[0].reasons, (std::vector{TrackReason::ambiguous, TrackReason::new_map}));
+  EXPECT_NE(loss_sentence(table).find("(2 scans: several motions fit alike; registered to a map"), std::string::npos)
+      << loss_sentence(table);
+}
+
 TEST(TrackRecord, AGapIsALossWithoutScans) {
   ScanTable table = sample_record().scans;
   table.rows[2].track = {TrackState::recovered, TrackReason::long_gap};

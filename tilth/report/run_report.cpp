@@ -57,10 +57,8 @@ void add_loops(const LoopRecord& loops, const std::optional<Pose>& T_base_lidar,
 /// Where the track was lost, in every plot over time.
 void mark_losses(const ScanTable& scans, std::vector<Section>& sections) {
   Alarm lost{"track lost", {}};
-  for (const TrackInterval& interval : track_intervals(scans)) {
-    if (interval.track.state != TrackState::lost) continue;
-    lost.spans.emplace_back(interval.from - scans.rows.front().stamp, interval.to - scans.rows.front().stamp);
-  }
+  for (const TrackLoss& loss : track_losses(scans))
+    lost.spans.emplace_back(loss.from - scans.rows.front().stamp, loss.to - scans.rows.front().stamp);
   if (lost.spans.empty()) return;
   for (Section& section : sections) {
     for (Plot& plot : section.plots)

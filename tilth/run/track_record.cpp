@@ -17,12 +17,14 @@ bool ends_gap(const Track& track) {
   return track.state == TrackState::recovered && track.reason == TrackReason::long_gap;
 }
 
-std::string words(const TrackInterval& loss) {
+std::string words(const TrackLoss& loss) {
   char text[96];
   std::snprintf(text, sizeof text, "from %.3f s to %.3f s (", loss.from, loss.to);
-  const std::string scans =
-      loss.scans == 0 ? "" : std::to_string(loss.scans) + (loss.scans == 1 ? " scan: " : " scans: ");
-  return text + scans + std::string(names_of(loss.track.reason)[std::size_t(loss.track.reason)]) + ")";
+  std::string sentence = text;
+  if (loss.scans > 0) sentence += std::to_string(loss.scans) + (loss.scans == 1 ? " scan: " : " scans: ");
+  for (std::size_t i = 0; i < loss.reasons.size(); ++i)
+    sentence.append(i == 0 ? "" : "; ").append(names_of(TrackReason{})[std::size_t(loss.reasons[i])]);
+  return sentence + ")";
 }
 
 }  // namespace
@@ -54,14 +56,29 @@ bool was_lost(const ScanTable& table) {
                      [](const ScanRow& row) { return row.track.state == TrackState::lost || ends_gap(row.track); });
 }
 
-std::string loss_sentence(const ScanTable& table) {
-  std::string sentence;
-  std::size_t losses = 0;
+std::vector<TrackLoss> track_losses(const ScanTable& table) {
+  std::vector<TrackLoss> losses;
+  std::size_t next = 0;  // row after the last loss
   for (const TrackInterval& interval : track_intervals(table)) {
-    if (interval.track.state != TrackState::lost || ++losses > kMostLosses) continue;
-    sentence += (sentence.empty() ? "the track was lost " : ", ") + words(interval);
+    if (interval.track.state != TrackState::lost) continue;
+    const bool goes_on = !losses.empty() && interval.first == next && interval.scans > 0 && losses.back().scans > 0;
+    if (!goes_on) losses.emplace_back().from = interval.from;
+    TrackLoss& loss = losses.back();
+    loss.to = interval.to;
+    loss.scans += interval.scans;
+    if (std::find(loss.reasons.begin(), loss.reasons.end(), interval.track.reason) == loss.reasons.end())
+      loss.reasons.push_back(interval.track.reason);
+    next = interval.first + interval.scans;
   }
-  if (losses > kMostLosses) sentence += " and " + std::to_string(losses - kMostLosses) + " times more";
+  return losses;
+}
+
+std::string loss_sentence(const ScanTable& table) {
+  const std::vector<TrackLoss> losses = track_losses(table);
+  std::string sentence;
+  for (std::size_t i = 0; i < std::min(losses.size(), kMostLosses); ++i)
+    sentence += (i == 0 ? "the track was lost " : ", ") + words(losses[i]);
+  if (losses.size() > kMostLosses) sentence += " and " + std::to_string(losses.size() - kMostLosses) + " times more";
   return sentence;
 }
 

@@ -26,6 +26,15 @@ TrackState track_at_end(const ScanTable& table);
 /// Whether the track was lost in any row or gap.
 bool was_lost(const ScanTable& table);
 
+/// Scans in a row that were lost, whatever the reasons, or a gap between two.
+struct TrackLoss {
+  double from = 0.0, to = 0.0;  ///< [s] stamps of the first and the last of its poses
+  std::size_t scans = 0;
+  std::vector<TrackReason> reasons;  ///< in the order in which they came up
+};
+
+std::vector<TrackLoss> track_losses(const ScanTable& table);
+
 /// "the track was lost from 12.300 s to 13.100 s (9 scans: no scans for too long); ...", stamps as they are; empty
 /// where it never was.
 std::string loss_sentence(const ScanTable& table);
