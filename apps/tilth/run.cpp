@@ -54,6 +54,7 @@ int run(const RecordingArguments& a) {
   if (end != RunEnd::interrupted) require_scans(record);
   std::vector<std::string> failures;
   if (truth) failures = judge_by(*truth, session.record());
+  if (plan.external) notice_prior(*plan.external, a.run.prior, session.record(), console);
   const bool whole = end_session(session, a.run, plan, console, std::move(failures));
   return whole ? exit_code_of(end, was_lost(record.scans), a.run.session.strict) : 1;
 }

@@ -10,9 +10,7 @@
 #include "threads.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/io/beam_file.hpp>
-#include <tilth/io/pose_file.hpp>
 #include <tilth/odometry/continued_odometry.hpp>
-#include <tilth/odometry/external_motion.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/run/base_frame.hpp>
 #include <tilth/run/beam_pipeline.hpp>
@@ -104,17 +102,6 @@ void add_prior_flag(CLI::App& command, RunArguments& arguments) {
   command.add_option("--prior", arguments.prior, kPriorMeaning)->option_text("FILE");
 }
 
-namespace {
-
-std::shared_ptr<const ExternalMotion> external_motion(const std::string& file) {
-  if (file.empty()) return nullptr;
-  const PoseFile poses = read_pose_file(file);
-  if (!poses.has_stamps) throw Error(file, "has no stamps, by which a prior is held against the scans");
-  return std::make_shared<ExternalMotion>(poses.trajectory);
-}
-
-}  // namespace
-
 PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>& source_options,
                     const std::vector<OptionInfo>& source_defaults) {
   const PipelineChoice choice = choose_pipeline(arguments.options);
@@ -133,9 +120,9 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
   const SlamOptions slam = with<SlamOptions>(choice.loop);
   plan.localize = with<LocalizationOptions>(choice.localize).localize;
   const BeamLearning learning = arguments.learn_beams ? BeamLearning::correct : BeamLearning::watch;
-  const auto external = external_motion(arguments.prior);
+  plan.external = read_prior(arguments.prior);
   plan.trial = [choice] { return make_odometry(choice.name, choice.values); };
-  plan.pipeline = with_beams(make_odometry(choice.name, choice.values, external), learning, plan.beams);
+  plan.pipeline = with_beams(make_odometry(choice.name, choice.values, plan.external), learning, plan.beams);
   const bool loop_closure = arguments.loop_closure || !arguments.save_map.empty();
   if (loop_closure) {
     add_options(describe(slam), describe(SlamOptions{}), plan.record);

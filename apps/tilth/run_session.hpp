@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "console.hpp"
+#include "motion_prior_file.hpp"
 #include "option_arguments.hpp"
 #include <tilth/core/beam_estimate.hpp>
 #include <tilth/localization/localizer.hpp>
@@ -78,8 +79,9 @@ struct PlannedRun {
   OutputOptions output;
   ReportOptions report;
   std::vector<RunOutput> outputs;
-  std::optional<BeamEstimate> beams;  ///< that every scan is corrected by
-  LocalizerOptions localize;          ///< in a map that the run goes on with
+  std::optional<BeamEstimate> beams;               ///< that every scan is corrected by
+  std::shared_ptr<const ExternalMotion> external;  ///< of --prior; or none
+  LocalizerOptions localize;                       ///< in a map that the run goes on with
 };
 
 /// The run that is asked for; `source_options` are told in its record, with their defaults. Throws Error on an option

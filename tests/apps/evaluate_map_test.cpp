@@ -47,6 +47,11 @@ TEST_F(TrueScene, APriorHelpsOrIsLeftOut) {
   const Outcome with_prior = tilth({"run", in("sim"), "--prior", in("sim/truth.tum"), "--out", in("run"), "--quiet"});
   EXPECT_EQ(with_prior.exit_code, 0) << with_prior.err;
   EXPECT_EQ(read_tum(folder_ / "run" / "trajectory.tum").size(), 24u);
+  EXPECT_EQ(with_prior.err.find("tells of"), std::string::npos) << with_prior.err;
+  std::ofstream(folder_ / "other_clock.tum") << "1e6 0 0 0 0 0 0 1\n1000100 9 0 0 0 0 0 1\n";
+  const Outcome unheard = tilth({"run", in("sim"), "--prior", in("other_clock.tum"), "--out", in("c")});
+  EXPECT_NE(unheard.err.find("tells of 0 of the 23 motions"), std::string::npos) << unheard.err;
+  EXPECT_NE(text_of(folder_ / "c" / "summary.json").find("tells of 0 of the 23 motions"), std::string::npos);
   std::ofstream(folder_ / "one.tum") << "1 0 0 0 0 0 0 1\n";
   expect_refused({"run", in("sim"), "--prior", in("one.tum"), "--out", in("b")}, "fewer than two");
   expect_refused({"run", in("sim"), "--prior", in("none.tum"), "--out", in("b")}, "none.tum");

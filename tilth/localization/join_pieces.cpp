@@ -66,8 +66,9 @@ std::size_t join_pieces(Slam& slam, const LocalizerOptions& options) {
   const std::vector<std::size_t> pieces = pieces_of(loops.keyframes());
   std::size_t count = 0;
   for (std::size_t first = 1; first < pieces.size(); ++first) {
-    if (pieces[first] != first || loops.joined()[first]) continue;
+    if (pieces[first] != first) continue;
     const std::vector<bool> joined = loops.joined();
+    if (joined[first]) continue;
     std::vector<std::size_t> known, piece;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       if (pieces[k] == first) piece.push_back(k);
