@@ -45,6 +45,7 @@ TEST(Mount, RefusesNamingTheField) {
   refused("1,2,,0,0,0", "z is \"\"");
   refused("nan,2,3,0,0,0", "x is \"nan\"");
   refused("1,2,3,0,0,0,0", "length 1");
+  refused("300,0,800,0,0,0", "x is more than 100 m");
   refused("1,2,3,4,5,6,7,8", "8 numbers");
 }
 

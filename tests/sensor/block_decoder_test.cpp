@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sensor/decoded_scans.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/sensor/block_decoder.hpp>
 
@@ -14,13 +15,7 @@ namespace {
 std::vector<Scan> decoded(const std::vector<Packet>& packets, const PacketOptions& options = {},
                           PacketCounts* counts = nullptr) {
   BlockDecoder decoder(packets, options);
-  std::vector<Scan> scans;
-  for (const Packet& packet : packets) {
-    if (auto scan = decoder.decode(packet)) scans.push_back(std::move(*scan));
-  }
-  if (auto scan = decoder.finish()) scans.push_back(std::move(*scan));
-  if (counts != nullptr) *counts = decoder.counts();
-  return scans;
+  return scans_of(decoder, packets, counts);
 }
 
 /// [0.01 deg], clockwise from x, of the ray from the axis.

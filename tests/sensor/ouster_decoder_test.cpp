@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sensor/decoded_scans.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/sensor/ouster_decoder.hpp>
 #include <tilth/sensor/ouster_encoder.hpp>
@@ -64,13 +65,7 @@ OusterMetadata metadata_of(OusterProfile profile) {
 
 std::vector<Scan> decoded(const Made& made, const std::vector<Packet>& packets, PacketCounts* counts = nullptr) {
   OusterDecoder decoder(packets, {}, made.file);
-  std::vector<Scan> scans;
-  for (const Packet& packet : packets) {
-    if (auto scan = decoder.decode(packet)) scans.push_back(std::move(*scan));
-  }
-  if (auto scan = decoder.finish()) scans.push_back(std::move(*scan));
-  if (counts != nullptr) *counts = decoder.counts();
-  return scans;
+  return scans_of(decoder, packets, counts);
 }
 
 TEST(OusterDecoder, EveryProfileGivesTheScansBackWithinItsQuantisation) {

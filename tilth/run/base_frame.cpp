@@ -54,7 +54,10 @@ Eigen::Quaterniond turned(double roll, double pitch, double yaw) {
 
 Pose parse_mount(const std::string& text) {
   constexpr double kUnitTolerance = 1e-3;
+  constexpr double kFarthest = 100.0;  // [m] from the base of any robot; millimetres are beyond
   const std::vector<double> n = numbers_of(text);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::abs(n[i]) > kFarthest) refuse(text, std::string(kAngles[i]) + " is more than 100 m");
   Eigen::Quaterniond q;
   if (n.size() == kAngles.size()) {
     q = turned(n[3], n[4], n[5]);
