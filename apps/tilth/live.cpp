@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "localize_session.hpp"
 #include "locked_folder.hpp"
 #include "option_flags.hpp"
 #include "run_session.hpp"
@@ -20,8 +21,7 @@
 namespace tilth::app {
 namespace {
 
-struct LiveArguments {
-  RunArguments run;
+struct LiveArguments : LocalizeArguments {
   OptionValues input;
   double duration = 0.0;     // [s], 0: until it is stopped
   double checkpoint = 30.0;  // [s]
@@ -105,7 +105,28 @@ void add_sinks(Session& session, const LiveArguments& a, const PlannedRun& plan,
   }
 }
 
+/// In a saved map: the folder gets what `tilth localize` writes.
+int live_in_map(const LiveArguments& a) {
+  if (a.run.learn_beams) throw Error("--learn-beams", "does not go with --map");
+  if (!a.run.output.empty()) throw Error("--" + a.run.output.begin()->first, "is of a map: with --map none is made");
+  Console console(a.run.quiet);
+  LocalizeSession session(a);
+  const LockedFolder folder(a.run.out, session.files());
+  check_folder(a);
+  remember_interrupts();
+  const Stopwatch stopwatch;
+  const auto enough = [&] { return a.duration > 0.0 && stopwatch.seconds() > a.duration; };
+  std::unique_ptr<LiveSource> source = open(
+      a, [&] { return interrupted() != 0 || enough(); }, console);
+  if (!source) return signal_exit_code();
+  LiveConsole observer(*source, console);
+  const LocalizeSession::End end = session.run(std::move(source), observer, console);
+  if (!end.whole) return 1;
+  return end.is_known ? 0 : kTrackLostExit;
+}
+
 int live(const LiveArguments& a) {
+  if (!a.map.empty()) return live_in_map(a);
   Console console(a.run.quiet);
   PlannedRun plan = plan_run(a.run);
   const LockedFolder folder(a.run.out, files_of(plan.outputs));
@@ -149,8 +170,11 @@ void add_live(CLI::App& app, int& exit_code) {
       ->add_flag("--loop-closure", a->run.loop_closure,
                  "find places seen before; the way is corrected at the end (loop.*)")
       ->excludes("--resume");
+  CLI::Option* map = command->add_option("--map", a->map, "saved map to be found in, as `tilth localize` does");
+  map->excludes("--resume", "--loop-closure");
+  add_at_flag(*command, *a)->needs(map);
   add_base_flag(*command, a->run);
-  add_level_flag(*command, a->run)->excludes("--resume");
+  add_level_flag(*command, a->run)->excludes("--resume", "--map");
   command->add_flag("--force", a->force, "replace the run in that folder")->excludes("--resume");
   command->add_option("--duration", a->duration, "[s] after which it ends")->check(CLI::PositiveNumber);
   command->add_option("--max-scans", a->run.session.max_scans, "stop after so many scans");

@@ -69,6 +69,7 @@ void add_slam(nb::module_& module) {
              const auto record = closed(slam);
              return std::pair(stamps_array(record->loops->odometry), poses_array(record->loops->odometry));
            })
+      .def("save_places", &SlamRegistrar::save_places, nb::arg("folder"), Unlocked())
       .def("closures", [](SlamRegistrar& slam) { return closures_list(*closed(slam)->loops); })
       .def("keyframes", [](SlamRegistrar& slam) { return closed(slam)->loops->keyframe_scans; })
       .def("map", [](SlamRegistrar& slam) { return map_array(closed(slam)->map); })

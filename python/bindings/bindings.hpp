@@ -11,6 +11,7 @@ void add_scan(nb::module_& module);
 void add_result(nb::module_& module);
 void add_odometry(nb::module_& module);
 void add_slam(nb::module_& module);
+void add_localizer(nb::module_& module);
 void add_sources(nb::module_& module);
 void add_run(nb::module_& module);
 void add_evaluation(nb::module_& module);

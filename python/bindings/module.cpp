@@ -12,6 +12,7 @@ NB_MODULE(_tilth, module) {
   tilth::python::add_result(module);
   tilth::python::add_odometry(module);
   tilth::python::add_slam(module);
+  tilth::python::add_localizer(module);
   tilth::python::add_sources(module);
   tilth::python::add_run(module);
   tilth::python::add_evaluation(module);

@@ -1,6 +1,8 @@
 #include "registrar.hpp"
 
 #include <tilth/core/error.hpp>
+#include <tilth/run/saved_map_sink.hpp>
+#include <tilth/run/scan_row.hpp>
 
 namespace tilth::python {
 
@@ -28,6 +30,8 @@ std::unique_lock<std::mutex> Registrar::lock() const {
 
 SlamRegistrar::SlamRegistrar(Pipeline pipeline, const MapOptions& map)
     : Registrar(std::move(pipeline.odometry)), slam_(pipeline.slam) {
+  record_.version = TILTH_VERSION;
+  record_.source = "Python";
   record_.map = MapBuilder(map);
 }
 
@@ -35,6 +39,13 @@ void SlamRegistrar::keep(const Scan& scan, const OdometryResult& result) {
   closed_.reset();
   record_.map.add(result, scan.stamp);
   record_.trajectory.push_back({result.stamp, result.T_world_lidar});
+  record_.scans.rows.push_back(row_of(scan, result));
+}
+
+void SlamRegistrar::save_places(const std::string& folder) {
+  const std::shared_ptr<const RunRecord> record = closed();
+  const auto alone = lock();
+  saved_map_sink({folder, {}, {}, {}}, *slam_)->finish(*record);
 }
 
 std::shared_ptr<const RunRecord> SlamRegistrar::closed() {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "result.hpp"
@@ -40,6 +41,10 @@ class Registrar {
 class SlamRegistrar final : public Registrar {
  public:
   SlamRegistrar(Pipeline pipeline, const MapOptions& map);
+
+  /// Writes the folder that a Localizer opens. Throws Error where it cannot be written, and where the track was lost
+  /// and what came after is joined to nothing.
+  void save_places(const std::string& folder);
 
   /// Trajectory, map and loops after an optimisation with all closures so far; made anew after further scans.
   std::shared_ptr<const RunRecord> closed();

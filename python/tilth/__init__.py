@@ -5,10 +5,11 @@ that maps points of frame b into frame a. What is wrong with an input is raised 
 that names the argument, file or option and its bound.
 """
 
-from tilth._tilth import Error, Registration, Result, Scan
+from tilth._tilth import Error, Located, Registration, Result, Scan
 from tilth._tilth import version as __version__
 from tilth.evaluation import Errors, Evaluation, Metric, evaluate
 from tilth.files import read_bin, read_pcd, read_ply, write_bin, write_las, write_pcd, write_ply
+from tilth.localizer import Localizer
 from tilth.odometry import Odometry, Option, Slam, options, pipelines
 from tilth.recording import Recording, Skipped, open
 from tilth.running import Run, TrackLostWarning, run
@@ -21,6 +22,8 @@ __all__ = [
     "Error",
     "Errors",
     "Evaluation",
+    "Localizer",
+    "Located",
     "Metric",
     "Odometry",
     "Option",

@@ -130,8 +130,16 @@ class Slam(Odometry):
         return self._slam.map()
 
     def save_map(self, path: str | os.PathLike[str]) -> None:
-        """Writes the corrected map as .pcd, .ply or .las."""
-        write_cloud(path, self._slam.map_records())
+        """Writes the corrected map as .pcd, .ply or .las; else as a folder that tilth.Localizer opens, as the program's
+        ``--save-map`` does.
+
+        Raises tilth.Error where it cannot be written, and of a folder where the track was lost on the way and what came
+        after is joined to nothing.
+        """
+        if os.path.splitext(path)[1]:
+            write_cloud(path, self._slam.map_records())
+        else:
+            self._slam.save_places(os.fspath(path))
 
 
 def as_scan(

@@ -6,6 +6,7 @@
 
 #include "slam/made_drives.hpp"
 #include <tilth/localization/join_pieces.hpp>
+#include <tilth/slam/slam.hpp>
 
 namespace tilth {
 namespace {
@@ -56,13 +57,16 @@ struct Found {
   double error = 0.0;  ///< [m] of the last pose
 };
 
-Found drive_with(const Scene& scene, const Loss& loss) {
+enum class When { at_the_end, on_the_way };
+
+Found drive_with(const Scene& scene, const Loss& loss, When when) {
   constexpr std::size_t kStride = 4;
   const Simulator simulator = simulated(scene);
   Slam slam(std::make_unique<LosingOdometry>(simulator, loss), {});
+  if (when == When::on_the_way) slam.after_keyframe(PieceJoiner({}));
   for (std::size_t i = 0; i < simulator.size(); i += kStride) slam.register_scan(simulator.scan(i).scan);
   slam.finish();
-  join_pieces(slam, {});
+  if (when == When::at_the_end) join_pieces(slam.loops(), {});
   const Trajectory way = slam.trajectory();
   const Pose motion = way.front().T_world_lidar.inverse() * way.back().T_world_lidar;
   const Pose truth = true_motion(simulator, way.front().stamp, way.back().stamp);
@@ -72,31 +76,36 @@ Found drive_with(const Scene& scene, const Loss& loss) {
 const std::vector<Leg> kThereAndBack{{1, 0, 0},    {18, 1.0, 0}, {1, 0, 0}, {4, 0, std::numbers::pi},
                                      {17, 1.0, 0}, {2, 0, 0}};
 
-TEST(JoinPieces, ANewMapIsJoinedWhereKnownGroundIsSeenAgain) {
+class JoinPieces : public testing::TestWithParam<When> {};
+
+TEST_P(JoinPieces, ANewMapIsJoinedWhereKnownGroundIsSeenAgain) {
   const Scene scene = corridor_scene({26, {3, 4.7, 9, 13, 14.5, 19, 21, 23.5}}, kThereAndBack);
-  const Found found = drive_with(scene, {26, 30, thought(2.5, 0.6)});
+  const Found found = drive_with(scene, {26, 30, thought(2.5, 0.6)}, GetParam());
   ASSERT_EQ(found.joined.size(), 1U);
   EXPECT_EQ(found.joined[0].second, found.scans);
   EXPECT_GT(found.joined[0].first, found.scans / 2);
   EXPECT_LT(found.error, 0.02);
 }
 
-TEST(JoinPieces, ANewMapStaysAloneWhereEveryDoorIsLikeTheNext) {
+TEST_P(JoinPieces, ANewMapStaysAloneWhereEveryDoorIsLikeTheNext) {
   std::vector<double> doors;
   for (double at = 1; at < 58; at += 1.5) doors.push_back(at);
   const std::vector<Leg> legs{{1, 0, 0}, {14, 1.0, 0}, {1, 0, 0}, {4, 0, std::numbers::pi}, {10, 1.0, 0}, {1, 0, 0}};
   std::vector<Leg> in_the_middle{{1, 0, 0}, {20, 1.0, 0}};
   in_the_middle.insert(in_the_middle.end(), legs.begin(), legs.end());
-  const Found found = drive_with(corridor_scene({60, doors, false}, in_the_middle), {44, 47, thought(1.5, 0.1)});
+  const Found found =
+      drive_with(corridor_scene({60, doors, false}, in_the_middle), {44, 47, thought(1.5, 0.1)}, GetParam());
   EXPECT_TRUE(found.joined.empty());
 }
 
-TEST(JoinPieces, ANewMapStaysAloneOnNewGround) {
+TEST_P(JoinPieces, ANewMapStaysAloneOnNewGround) {
   const Scene scene =
       corridor_scene({60, {3, 4.7, 9, 13, 14.5, 19, 21, 23.5, 31, 33.1, 40}}, {{1, 0, 0}, {36, 1.5, 0}});
-  const Found found = drive_with(scene, {15, 18, thought(-2, 0.2)});
+  const Found found = drive_with(scene, {15, 18, thought(-2, 0.2)}, GetParam());
   EXPECT_TRUE(found.joined.empty());
 }
+
+INSTANTIATE_TEST_SUITE_P(Drives, JoinPieces, testing::Values(When::at_the_end, When::on_the_way));
 
 }  // namespace
 }  // namespace tilth

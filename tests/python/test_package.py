@@ -99,6 +99,8 @@ def test_the_examples_run(drive, tmp_path):
     told = python(ROOT / "examples/python/03_compare_with_kiss_icp.py")
     ours, theirs = (float(re.search(r"APE ([\d.]+) m", line)[1]) for line in told.splitlines())
     assert ours < 0.02 and ours < theirs < 1, told
+    told = python(ROOT / "examples/python/04_localize.py", tmp_path / "map")
+    assert "located at" in told
 
 
 def test_every_example_is_tested():

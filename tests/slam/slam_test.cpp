@@ -1,9 +1,11 @@
 // Whole drives whose odometry drifts by a known amount: loops that are there must be closed, and none other.
 #include <algorithm>
+#include <future>
 
 #include <gtest/gtest.h>
 
 #include "slam/made_drives.hpp"
+#include <tilth/core/error.hpp>
 #include <tilth/slam/slam.hpp>
 
 namespace tilth {
@@ -86,6 +88,49 @@ TEST(Slam, TakesNoDoorForItsNeighbour) {
   const Outcome outcome = drive_with(simulator, {.scale = 0.02, .turn = 0.0}, 4);
   EXPECT_LT(worst_closure(simulator, outcome), 0.1);
   EXPECT_LT(end_error(simulator, outcome.after), end_error(simulator, outcome.before) + 0.05);
+}
+
+const std::vector<double> kDoors{3, 4.7, 9, 13, 14.5, 19, 21, 23.5};
+const std::vector<Leg> kThereAndBack{{1, 0, 0}, {15, 1.5, 0}, {4, 0, kTurnAround}, {11, 1.5, 0}, {1, 0, 0}};
+
+// A thread that closes no loop until the drive is over keeps no scan from its pose, and changes nothing.
+TEST(Slam, NoScanWaitsForItsLoops) {
+  const Simulator simulator = simulated(corridor_scene({26, kDoors}, kThereAndBack));
+  const auto drive_of = [&](bool late) {
+    std::promise<void> over;
+    Slam slam(std::make_unique<DriftingOdometry>(simulator, Drift{.scale = 0.005, .turn = 0.001}), {});
+    if (late) slam.after_keyframe([over = over.get_future().share()](LoopCloser&) { over.wait(); });
+    for (std::size_t i = 0; i < simulator.size(); i += 4) slam.register_scan(simulator.scan(i).scan);
+    over.set_value();
+    slam.finish();
+    return slam.trajectory();
+  };
+  const Trajectory soon = drive_of(false), late = drive_of(true);
+  ASSERT_EQ(soon.size(), late.size());
+  for (std::size_t i = 0; i < soon.size(); ++i)
+    EXPECT_EQ(soon[i].T_world_lidar.matrix(), late[i].T_world_lidar.matrix()) << i;
+}
+
+TEST(Slam, TellsHowFarTheNewestPoseHasDrifted) {
+  const Simulator simulator = simulated(corridor_scene({26, kDoors}, kThereAndBack));
+  Slam slam(std::make_unique<DriftingOdometry>(simulator, Drift{.scale = 0.02, .turn = 0.001}), {});
+  EXPECT_TRUE(slam.T_map_odom().isApprox(Pose(Pose::Identity())));
+  for (std::size_t i = 0; i < simulator.size(); i += 4) slam.register_scan(simulator.scan(i).scan);
+  ASSERT_GT(slam.loops().optimizations(), 0);
+  const Trajectory odometry = slam.odometry_trajectory();
+  Trajectory known = odometry;
+  known.back().T_world_lidar = slam.T_map_odom() * odometry.back().T_world_lidar;
+  EXPECT_GT(end_error(simulator, odometry), 0.1);
+  EXPECT_LT(end_error(simulator, known), 0.3 * end_error(simulator, odometry)) << "the rest is since the last closure";
+}
+
+// What a keyframe throws on the thread reaches who asks for the loops.
+TEST(Slam, HandsOnWhatItsThreadThrows) {
+  const Simulator simulator = simulated(corridor_scene({12, {3, 7}}, {{3, 1.0, 0}}));
+  Slam slam(std::make_unique<DriftingOdometry>(simulator, Drift{}), {});
+  slam.after_keyframe([](LoopCloser&) { throw Error("loops", "are knotted"); });
+  slam.register_scan(simulator.scan(0).scan);
+  EXPECT_THROW(slam.finish(), Error);
 }
 
 TEST(Slam, SurvivesScansWithoutPoints) {

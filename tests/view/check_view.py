@@ -101,6 +101,18 @@ def check_messages(folder):
     assert {m.status[0].values[0].value for _, m in topics["/diagnostics"]} == {"tracking"}
 
 
+def check_frames(messages, poses):
+    """While loops are being closed poses are given in odom, which lies in the world; in the end all lies there."""
+    chains = {tuple((t.header.frame_id, t.child_frame_id) for t in m.transforms) for topic, _, m in messages if topic == "/tf"}
+    assert chains == {(("world", "odom"), ("odom", "lidar"))}, chains
+    assert {m.header.frame_id for topic, _, m in messages if topic == "/odometry"} == {"odom"}
+    for name in ("/path", "/map"):
+        frames = [m.header.frame_id for topic, _, m in messages if topic == name]
+        assert set(frames[:-1]) <= {"odom"} and frames[-1] == "world", (name, frames)
+    last = [m for topic, _, m in messages if topic == "/path"][-1]
+    assert [p.pose.position.x for p in last.poses] == list(poses[:, 1]), "the last path is the corrected one"
+
+
 def check_live(folder):
     """The same of a sensor that sends: `tilth play` is it."""
     recording = folder / "recording"
@@ -109,13 +121,15 @@ def check_live(folder):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as free:
         free.bind(("127.0.0.1", 0))
         packets = f"127.0.0.1:{free.getsockname()[1]}"
-    run, port = watched("live", f"udp://{packets}", "--out", folder / "live", "--idle", "3", "--level", "--queue", "100")
+    run, port = watched("live", f"udp://{packets}", "--out", folder / "live", "--idle", "3", "--level", "--queue", "100",
+                        "--loop-closure")
     assert "listening" in run.stdout.readline()
     player = subprocess.Popen([TILTH, "play", recording / "scans.pcap", "--to", packets], stdout=subprocess.DEVNULL)
     messages = asyncio.run(followed(port))
     run.stdout.read()
     assert run.wait() == 0 and player.wait() == 0
-    poses = poses_of(folder / "live")
+    poses = numpy.loadtxt(folder / "live" / "trajectory_odometry.tum", ndmin=2)
+    check_frames(messages, poses_of(folder / "live"))
     odometry = [m for topic, _, m in messages if topic == "/odometry"]
     assert len(poses) > 60 and len(poses) - 30 < len(odometry) <= len(poses), (len(poses), len(odometry))
     assert odometry[-1].child_frame_id == "lidar" and abs(odometry[-1].pose.pose.position.x - poses[-1, 1]) < 1e-12

@@ -9,6 +9,7 @@ namespace tilth {
 namespace {
 
 constexpr double kTieStep = 3.0;  // [m] between places that are looked for
+constexpr double kWindow = 6.0;   // [m] of the newest places that are looked for at once while the drive goes on
 
 /// Some keyframes of a drive as a map, where its pose graph has them.
 class KeyframePlaces final : public PlaceMap {
@@ -59,28 +60,49 @@ std::vector<Constraint> constraints_of(const std::vector<MapTie>& ties, const Ke
   return constraints;
 }
 
+/// The keyframes of the piece that begins with `first`, from `begin` on.
+std::vector<std::size_t> piece_from(const std::vector<std::size_t>& pieces, std::size_t first, std::size_t begin) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t k = begin; k < pieces.size(); ++k)
+    if (pieces[k] == first) chosen.push_back(k);
+  return chosen;
+}
+
+/// Looks for the keyframes `chosen`, all of one piece, in what lies before the piece and hangs together with the first.
+bool join(LoopCloser& loops, std::size_t first, std::vector<std::size_t> chosen, const LocalizerOptions& options) {
+  const std::vector<bool> joined = loops.joined();
+  std::vector<std::size_t> known;
+  for (std::size_t k = 0; k < first; ++k)
+    if (joined[k]) known.push_back(k);
+  const KeyframePlaces map(loops, std::move(known)), part(loops, std::move(chosen));
+  const std::vector<MapTie> ties = find_ties(map, part, options, kTieStep);
+  if (ties.empty()) return false;
+  loops.join_pieces(constraints_of(ties, map, part, loops.poses()));
+  return true;
+}
+
 }  // namespace
 
-std::size_t join_pieces(Slam& slam, const LocalizerOptions& options) {
-  const LoopCloser& loops = slam.loops();
+std::size_t join_pieces(LoopCloser& loops, const LocalizerOptions& options) {
   const std::vector<std::size_t> pieces = pieces_of(loops.keyframes());
   std::size_t count = 0;
   for (std::size_t first = 1; first < pieces.size(); ++first) {
-    if (pieces[first] != first) continue;
-    const std::vector<bool> joined = loops.joined();
-    if (joined[first]) continue;
-    std::vector<std::size_t> known, piece;
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-      if (pieces[k] == first) piece.push_back(k);
-      if (joined[k] && k < first) known.push_back(k);
-    }
-    const KeyframePlaces map(loops, known), part(loops, piece);
-    const std::vector<MapTie> ties = find_ties(map, part, options, kTieStep);
-    if (ties.empty()) continue;
-    slam.join_pieces(constraints_of(ties, map, part, loops.poses()));
-    ++count;
+    if (pieces[first] != first || loops.joined()[first]) continue;
+    if (join(loops, first, piece_from(pieces, first, first), options)) ++count;
   }
   return count;
+}
+
+void PieceJoiner::operator()(LoopCloser& loops) {
+  const std::vector<Keyframe>& keyframes = loops.keyframes();
+  const double path = keyframes.back().path;
+  if (keyframes.back().severed) tried_ = path;
+  if (path - tried_ < kWindow || loops.joined().back()) return;
+  tried_ = path;
+  const std::vector<std::size_t> pieces = pieces_of(keyframes);
+  const auto near = std::find_if(keyframes.begin(), keyframes.end(),
+                                 [&](const Keyframe& keyframe) { return path - keyframe.path <= kWindow + kTieStep; });
+  join(loops, pieces.back(), piece_from(pieces, pieces.back(), std::size_t(near - keyframes.begin())), options_);
 }
 
 }  // namespace tilth

@@ -3,14 +3,27 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 
 #include <tilth/localization/localizer.hpp>
-#include <tilth/slam/slam.hpp>
+#include <tilth/slam/loop_closer.hpp>
 
 namespace tilth {
 
 /// Joins what can be joined, and optimises; returns how many new maps were found. Nothing is done where no track was
 /// lost. About 0.1 s for 3 m of a new map.
-std::size_t join_pieces(Slam& slam, const LocalizerOptions& options);
+std::size_t join_pieces(LoopCloser& loops, const LocalizerOptions& options);
+
+/// The same while the drive goes on, for Slam::after_keyframe: every 6 m the last 9 m of a map that hangs on nothing are
+/// looked for.
+class PieceJoiner {
+ public:
+  explicit PieceJoiner(LocalizerOptions options) : options_(std::move(options)) {}
+  void operator()(LoopCloser& loops);
+
+ private:
+  LocalizerOptions options_;
+  double tried_ = 0.0;  // [m] of the way, where it was looked for last
+};
 
 }  // namespace tilth

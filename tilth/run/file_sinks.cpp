@@ -84,11 +84,6 @@ std::unique_ptr<Sink> pose_graph_sink(const Path& path) {
   return file_sink(path, [](const Path& to, const RunRecord& run) { write_g2o(to, loops_of(to, run).graph); });
 }
 
-std::unique_ptr<Sink> localization_sink(const Path& path) {
-  return file_sink(
-      path, [](const Path& to, const RunRecord& run) { write_localization(to, localized(to, run), run.T_base_lidar); });
-}
-
 std::unique_ptr<Sink> hypotheses_sink(const Path& path) {
   return file_sink(
       path, [](const Path& to, const RunRecord& run) { write_hypotheses(to, localized(to, run), run.T_base_lidar); });

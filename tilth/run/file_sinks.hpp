@@ -28,7 +28,6 @@ std::unique_ptr<Sink> closures_sink(const std::filesystem::path& path);
 std::unique_ptr<Sink> pose_graph_sink(const std::filesystem::path& path);
 
 /// Of a run in a saved map: what became of each scan, and the places that were thought of.
-std::unique_ptr<Sink> localization_sink(const std::filesystem::path& path);
 std::unique_ptr<Sink> hypotheses_sink(const std::filesystem::path& path);
 
 }  // namespace tilth

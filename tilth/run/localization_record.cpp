@@ -42,27 +42,27 @@ std::vector<double> times_to_answer(const LocalizationRecord& record) {
   return times;
 }
 
-void write_localization(const std::filesystem::path& path, const LocalizationRecord& record,
-                        const std::optional<Pose>& T_base_lidar) {
-  std::ostringstream out;
-  out << "stamp,state,begun,x,y,z,qx,qy,qz,qw,overlap,through,hypotheses,ms";
+std::string localization_header() {
+  std::string header = "stamp,state,begun,x,y,z,qx,qy,qz,qw,overlap,through,hypotheses,ms";
   constexpr const char* kAxes[] = {"rx", "ry", "rz", "tx", "ty", "tz"};
   for (int i = 0; i < 6; ++i)
-    for (int j = i; j < 6; ++j) out << ",cov_" << kAxes[i] << '_' << kAxes[j];
-  out << '\n' << std::setprecision(9);
-  for (const LocalizationRow& row : record.rows) {
-    out << exact_text(row.stamp) << ',' << names_of(row.state)[std::size_t(row.state)] << ',' << row.begun;
-    out << (row.T_map_lidar ? pose_cells(pose_of_base(*row.T_map_lidar, T_base_lidar)) : ",,,,,,,");
-    out << ',' << row.overlap << ',' << row.through << ',' << row.hypotheses.size() << ',' << row.milliseconds;
-    const Matrix6d covariance = covariance_of_base(row.covariance, T_base_lidar);
-    for (int i = 0; i < 6; ++i)
-      for (int j = i; j < 6; ++j) {
-        out << ',';
-        if (row.T_map_lidar) out << covariance(i, j);
-      }
-    out << '\n';
-  }
-  write_text(path, out.str());
+    for (int j = i; j < 6; ++j) header.append(",cov_").append(kAxes[i]).append("_").append(kAxes[j]);
+  return header;
+}
+
+std::string localization_line(const LocalizationRow& row, const std::optional<Pose>& T_base_lidar) {
+  std::ostringstream out;
+  out << std::setprecision(9);
+  out << exact_text(row.stamp) << ',' << names_of(row.state)[std::size_t(row.state)] << ',' << row.begun;
+  out << (row.T_map_lidar ? pose_cells(pose_of_base(*row.T_map_lidar, T_base_lidar)) : ",,,,,,,");
+  out << ',' << row.overlap << ',' << row.through << ',' << row.hypotheses.size() << ',' << row.milliseconds;
+  const Matrix6d covariance = covariance_of_base(row.covariance, T_base_lidar);
+  for (int i = 0; i < 6; ++i)
+    for (int j = i; j < 6; ++j) {
+      out << ',';
+      if (row.T_map_lidar) out << covariance(i, j);
+    }
+  return out.str();
 }
 
 void write_hypotheses(const std::filesystem::path& path, const LocalizationRecord& record,

@@ -50,10 +50,11 @@ std::vector<MapStateInterval> state_intervals(const LocalizationRecord& record);
 /// [s] from each beginning, and each loss, to the first scan that was located, where there was one.
 std::vector<double> times_to_answer(const LocalizationRecord& record);
 
-/// With poses of base_link where it is known how the LiDAR is mounted. Throws Error where the file cannot be written in
-/// full.
-void write_localization(const std::filesystem::path& path, const LocalizationRecord& record,
-                        const std::optional<Pose>& T_base_lidar);
+/// localization.csv, without ends of lines; poses are of base_link where it is known how the LiDAR is mounted.
+std::string localization_header();
+std::string localization_line(const LocalizationRow& row, const std::optional<Pose>& T_base_lidar);
+
+/// Throws Error where the file cannot be written in full.
 void write_hypotheses(const std::filesystem::path& path, const LocalizationRecord& record,
                       const std::optional<Pose>& T_base_lidar);
 

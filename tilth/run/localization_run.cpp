@@ -24,8 +24,9 @@ HypothesisRow row_of(const PlaceFit& fit, const PlaceFit& best) {
 /// Takes scans one by one.
 class LocalizationLoop {
  public:
-  LocalizationLoop(Localizer& localizer, RunObserver& observer, RunRecord& record)
-      : localizer_(localizer), observer_(observer), record_(record) {}
+  LocalizationLoop(Localizer& localizer, RunObserver& observer, RunRecord& record,
+                   std::span<const std::unique_ptr<Sink>> sinks)
+      : localizer_(localizer), observer_(observer), record_(record), sinks_(sinks) {}
 
   void forget() {
     localizer_.forget();
@@ -43,6 +44,7 @@ class LocalizationLoop {
     tell(located);
     keep(located, std::move(row));
     begins_ = false;
+    for (const std::unique_ptr<Sink>& sink : sinks_) sink->take(scan, located.odometry, record_);
   }
 
  private:
@@ -73,6 +75,7 @@ class LocalizationLoop {
   Localizer& localizer_;
   RunObserver& observer_;
   RunRecord& record_;
+  std::span<const std::unique_ptr<Sink>> sinks_;
   MapState state_ = MapState::searching;
   bool begins_ = true;
 };
@@ -117,7 +120,7 @@ RunEnd localize(ScanSource& source, Localizer& localizer, const LocalizationRunO
                 RunRecord& record) {
   const Stopwatch stopwatch;
   if (!record.localization) record.localization.emplace();
-  LocalizationLoop loop(localizer, observer, record);
+  LocalizationLoop loop(localizer, observer, record, options.sinks);
   const RunEnd end = run_through(source, options, loop, observer, record);
   for (const std::string& decision : record.decisions) observer.note(decision);
   record.skipped.insert(record.skipped.end(), source.skipped().begin(), source.skipped().end());

@@ -2,20 +2,25 @@
 // located.
 #pragma once
 
+#include <memory>
+#include <span>
+
 #include <tilth/localization/localizer.hpp>
 #include <tilth/run/run_observer.hpp>
 #include <tilth/run/run_record.hpp>
 #include <tilth/run/session.hpp>
+#include <tilth/run/sink.hpp>
 
 namespace tilth {
 
 struct LocalizationRunOptions {
   SessionOptions session;
   std::size_t restart_every = 0;  ///< [scans] after which all is forgotten, and found anew; 0: never
+  std::span<const std::unique_ptr<Sink>> sinks = {};  ///< take every scan, whether its place is known or not
 };
 
 /// Localises what `source` has. `record.localization` tells of every scan, all else in `record` of those whose pose is
-/// known; it says what is run (new_record) and gets no map.
+/// known; it says what is run (new_record) and gets no map. Throws Error where a sink refuses a scan.
 RunEnd localize(ScanSource& source, Localizer& localizer, const LocalizationRunOptions& options, RunObserver& observer,
                 RunRecord& record);
 

@@ -9,6 +9,7 @@
 
 #include <tilth/core/pose_graph.hpp>
 #include <tilth/core/trajectory.hpp>
+#include <tilth/slam/loop_closing_thread.hpp>
 
 namespace tilth {
 
@@ -30,6 +31,7 @@ struct LoopRecord {
   std::vector<std::size_t> keyframe_scans = {};  ///< number of the registered scan that each keyframe is
   std::vector<ClosureRow> closures = {};
   int optimizations = 0;
+  LoopTimes times = {};    ///< beside the scans
   double finish_ms = 0.0;  ///< of the last optimisation, the trajectory and the map
 };
 

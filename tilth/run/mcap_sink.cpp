@@ -35,17 +35,17 @@ void McapSink::take(const Scan& scan, const OdometryResult& result, const RunRec
 void McapSink::finish(const RunRecord& record) {
   if (!problem_.empty()) throw Error("run.mcap", problem_);
   const Trajectory& trajectory = record.trajectory;
-  const std::optional<Pose>& mount = record.T_base_lidar;
+  const RunFrames frames = frames_of(record);
   const std::vector<ScanRow>& rows = record.scans.rows;
   const double begin = trajectory.empty() ? 0.0 : trajectory.front().stamp;
-  write(RunTopic::path, begin, path_message(trajectory, mount));
-  write(RunTopic::map, begin, map_message(begin, record.map.records()));
+  write(RunTopic::path, begin, path_message(trajectory, frames));
+  write(RunTopic::map, begin, map_message(begin, record.map.records(), frames));
   const std::size_t without_row = trajectory.size() - std::min(trajectory.size(), rows.size());
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     const StampedPose& pose = trajectory[i];
     const ScanRow* const row = i < without_row ? nullptr : &rows[i - without_row];
-    write(RunTopic::tf, pose.stamp, tf_message(pose, mount));
-    write(RunTopic::odometry, pose.stamp, odometry_message(pose, row ? row->covariance : Matrix6d::Zero(), mount));
+    write(RunTopic::tf, pose.stamp, tf_message(pose, frames));
+    write(RunTopic::odometry, pose.stamp, odometry_message(pose, row ? row->covariance : Matrix6d::Zero(), frames));
     if (row) write(RunTopic::diagnostics, pose.stamp, diagnostics_message(*row));
   }
   file_->close();

@@ -49,6 +49,7 @@ void believe_joined(const Slam& slam, ScanTable& scans) {
 
 Pipeline with_loop_closure(Pipeline pipeline, const SlamOptions& options) {
   auto around = std::make_unique<Slam>(std::move(pipeline.odometry), options);
+  around->after_keyframe(PieceJoiner({}));
   pipeline.slam = around.get();
   pipeline.odometry = std::move(around);
   return pipeline;
@@ -57,13 +58,15 @@ Pipeline with_loop_closure(Pipeline pipeline, const SlamOptions& options) {
 void close_loops(Slam& slam, RunRecord& record) {
   const Stopwatch stopwatch;
   slam.finish();
-  join_pieces(slam, {});
-  LoopRecord loops{.odometry = record.trajectory, .graph = slam.loops().graph()};
-  for (const Keyframe& keyframe : slam.loops().keyframes()) loops.keyframe_scans.push_back(keyframe.scan);
-  for (const LoopClosure& closure : slam.loops().closures())
-    loops.closures.push_back(row_of(closure, slam.loops().keyframes()));
-  loops.optimizations = slam.loops().optimizations();
+  join_pieces(slam.loops(), {});
+  const LoopCloser& closer = slam.loops();
+  LoopRecord loops{.odometry = record.trajectory, .graph = closer.graph()};
+  for (const Keyframe& keyframe : closer.keyframes()) loops.keyframe_scans.push_back(keyframe.scan);
+  for (const LoopClosure& closure : closer.closures()) loops.closures.push_back(row_of(closure, closer.keyframes()));
+  loops.optimizations = closer.optimizations();
+  loops.times = slam.loop_times();
   record.trajectory = slam.trajectory();
+  record.T_map_odom.reset();
   believe_joined(slam, record.scans);
   record.map.move(corrections(loops.odometry, record.trajectory));
   loops.finish_ms = stopwatch.milliseconds();

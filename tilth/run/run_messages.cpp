@@ -15,8 +15,9 @@ namespace {
 
 constexpr const char* kLidar = "lidar";
 
-Frames frames_of(const std::optional<Pose>& T_base_lidar) {
-  return {.body = body_of(T_base_lidar)};
+/// Those of poses.
+Frames names_in(const RunFrames& frames) {
+  return {frames.T_map_odom ? "odom" : Frames{}.world, body_of(frames.T_base_lidar)};
 }
 
 /// Evenly, in the order of the points.
@@ -46,6 +47,14 @@ DiagnosticLevel level_of(TrackState state) {
   return DiagnosticLevel::error;
 }
 
+DiagnosticLevel level_of(MapState state) {
+  switch (state) {
+    case MapState::located: return DiagnosticLevel::ok;
+    case MapState::lost: return DiagnosticLevel::error;
+    default: return DiagnosticLevel::warn;
+  }
+}
+
 std::string figure(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3f", value);
@@ -59,6 +68,10 @@ std::vector<NamedTopic> run_topics() {
           {"/odometry", odometry_type()}, {"/scan", point_cloud2_type()}, {"/diagnostics", diagnostics_type()}};
 }
 
+RunFrames frames_of(const RunRecord& record) {
+  return {record.T_base_lidar, record.T_map_odom};
+}
+
 std::uint64_t nanoseconds(double stamp) {
   return stamp > 0.0 ? std::uint64_t(std::llround(stamp * 1e9)) : 0;
 }
@@ -69,25 +82,26 @@ std::vector<std::byte> scan_message(const Scan& scan, const OdometryResult& resu
   return serialize_point_cloud2({result.stamp, kLidar, to_records(seen)}, Serialization::cdr);
 }
 
-std::vector<std::byte> tf_message(const StampedPose& pose, const std::optional<Pose>& T_base_lidar) {
-  const Frames frames = frames_of(T_base_lidar);
-  std::vector<StampedTransform> transforms{{pose.stamp, frames, pose_of_base(pose.T_world_lidar, T_base_lidar)}};
-  if (T_base_lidar) transforms.push_back({pose.stamp, {frames.body, kLidar}, *T_base_lidar});
+std::vector<std::byte> tf_message(const StampedPose& pose, const RunFrames& frames) {
+  const Frames names = names_in(frames);
+  std::vector<StampedTransform> transforms;
+  if (frames.T_map_odom) transforms.push_back({pose.stamp, {Frames{}.world, names.world}, *frames.T_map_odom});
+  transforms.push_back({pose.stamp, names, pose_of_base(pose.T_world_lidar, frames.T_base_lidar)});
+  if (frames.T_base_lidar) transforms.push_back({pose.stamp, {names.body, kLidar}, *frames.T_base_lidar});
   return serialize_tf(transforms);
 }
 
-std::vector<std::byte> odometry_message(const StampedPose& pose, const Matrix6d& covariance,
-                                        const std::optional<Pose>& T_base_lidar) {
-  return serialize_odometry({pose.stamp, pose_of_base(pose.T_world_lidar, T_base_lidar)},
-                            covariance_of_base(covariance, T_base_lidar), frames_of(T_base_lidar));
+std::vector<std::byte> odometry_message(const StampedPose& pose, const Matrix6d& covariance, const RunFrames& frames) {
+  return serialize_odometry({pose.stamp, pose_of_base(pose.T_world_lidar, frames.T_base_lidar)},
+                            covariance_of_base(covariance, frames.T_base_lidar), names_in(frames));
 }
 
-std::vector<std::byte> path_message(const Trajectory& poses, const std::optional<Pose>& T_base_lidar) {
-  return serialize_path(poses_of_base(poses, T_base_lidar), frames_of(T_base_lidar));
+std::vector<std::byte> path_message(const Trajectory& poses, const RunFrames& frames) {
+  return serialize_path(poses_of_base(poses, frames.T_base_lidar), names_in(frames));
 }
 
-std::vector<std::byte> map_message(double stamp, PointRecords map_in_world) {
-  return serialize_point_cloud2({stamp, Frames{}.world, std::move(map_in_world)}, Serialization::cdr);
+std::vector<std::byte> map_message(double stamp, PointRecords map, const RunFrames& frames) {
+  return serialize_point_cloud2({stamp, names_in(frames).world, std::move(map)}, Serialization::cdr);
 }
 
 std::vector<std::byte> diagnostics_message(const ScanRow& row) {
@@ -103,6 +117,17 @@ std::vector<std::byte> diagnostics_message(const ScanRow& row) {
                        {"matches", std::to_string(row.matches)},
                        {"candidates", std::to_string(row.candidates)},
                        {"degenerate_directions", std::to_string(row.degenerate_directions)}};
+  return serialize_diagnostic(diagnostic);
+}
+
+std::vector<std::byte> diagnostics_message(const LocalizationRow& row) {
+  const std::string state(names_of(row.state)[std::size_t(row.state)]);
+  Diagnostic diagnostic{row.stamp, level_of(row.state), "tilth: place in the map", state, {}};
+  diagnostic.values = {{"place", state},
+                       {"register_ms", figure(row.milliseconds)},
+                       {"overlap", figure(row.overlap)},
+                       {"through", figure(row.through)},
+                       {"hypotheses", std::to_string(row.hypotheses.size())}};
   return serialize_diagnostic(diagnostic);
 }
 

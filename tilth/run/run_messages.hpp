@@ -1,9 +1,11 @@
-// A run as ROS 2 messages (CDR): what run.mcap holds, and what a live view sends. Frames: world, the body that the
-// poses are of (base_link, else lidar), lidar. About 0.5 ms a scan of 5,000 points, 1 us a pose.
+// A run as ROS 2 messages (CDR): what run.mcap holds, and what a live view sends. Frames: world; the body that the
+// poses are of (base_link, else lidar); lidar; and, while loops are being closed, odom between world and body, in which
+// poses are smooth (REP 105, whose map is the world here). About 0.5 ms a scan of 5,000 points, 1 us a pose.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,6 +31,14 @@ struct NamedTopic {
 /// In the order of RunTopic.
 std::vector<NamedTopic> run_topics();
 
+/// How the frames of the messages lie to one another.
+struct RunFrames {
+  std::optional<Pose> T_base_lidar = {};  ///< nothing: poses are of the LiDAR
+  std::optional<Pose> T_map_odom = {};    ///< nothing: poses are given in the world
+};
+
+RunFrames frames_of(const RunRecord& record);
+
 /// [ns] since 1970 of a stamp; 0 before.
 std::uint64_t nanoseconds(double stamp);
 
@@ -36,13 +46,15 @@ std::uint64_t nanoseconds(double stamp);
 /// The scan is as the sensor would have seen it all at once at the stamp of its pose, in its own frame, without
 /// outliers: every n-th point, so that no more than `points` remain.
 std::vector<std::byte> scan_message(const Scan& scan, const OdometryResult& result, std::uint64_t points);
-std::vector<std::byte> tf_message(const StampedPose& pose, const std::optional<Pose>& T_base_lidar);
-std::vector<std::byte> odometry_message(const StampedPose& pose, const Matrix6d& covariance,
-                                        const std::optional<Pose>& T_base_lidar);
-std::vector<std::byte> path_message(const Trajectory& poses, const std::optional<Pose>& T_base_lidar);
-std::vector<std::byte> map_message(double stamp, PointRecords map_in_world);
+std::vector<std::byte> tf_message(const StampedPose& pose, const RunFrames& frames);
+std::vector<std::byte> odometry_message(const StampedPose& pose, const Matrix6d& covariance, const RunFrames& frames);
+std::vector<std::byte> path_message(const Trajectory& poses, const RunFrames& frames);
+std::vector<std::byte> map_message(double stamp, PointRecords map, const RunFrames& frames);
 
 /// The state of the track, and what the scan took and gave.
 std::vector<std::byte> diagnostics_message(const ScanRow& row);
+
+/// How well the place in a saved map is known.
+std::vector<std::byte> diagnostics_message(const LocalizationRow& row);
 
 }  // namespace tilth

@@ -28,6 +28,7 @@ struct RunRecord {
   std::vector<std::string> notices;    ///< of the source: packets lost, scans dropped ...; one sentence each
   std::string ended;                   ///< why no more scans were registered: "end of input", "interrupted" ...
   Trajectory trajectory;               ///< of the LiDAR; base_frame.hpp makes poses of base_link of it
+  std::optional<Pose> T_map_odom;  ///< with loop closure, while it goes on: what is known of the newest pose's drift
   std::optional<Pose>
       T_base_lidar;                 ///< the LiDAR on the robot, where that is known: the world then begins at base_link
   std::optional<FloorPlane> floor;  ///< that the world was levelled by, before that

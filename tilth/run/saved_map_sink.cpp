@@ -31,7 +31,7 @@ class SavedMapSink final : public Sink {
   }
 
   void finish(const RunRecord& record) override {
-    if (was_lost(record.scans)) throw Error(plan_.folder.string(), "is not written: " + loss_sentence(record.scans));
+    require_believed(record);
     if (!earlier_) return write(*writer_, record);
     const PassingFolder own{plan_.folder.string() + ".new"};
     MapWriter writer(own.path);
@@ -40,6 +40,15 @@ class SavedMapSink final : public Sink {
   }
 
  private:
+  /// After a loss a map is one again where what was mapped since has been joined to what was mapped before.
+  void require_believed(const RunRecord& record) const {
+    for (const Keyframe& keyframe : slam_.loops().keyframes()) {
+      if (record.scans.rows[keyframe.scan].track.state == TrackState::lost)
+        throw Error(plan_.folder.string(), "is not written: " + loss_sentence(record.scans) +
+                                               ", and what was mapped since is joined to nothing");
+    }
+  }
+
   void write(MapWriter& writer, const RunRecord& record) const {
     const LoopCloser& loops = slam_.loops();
     for (std::size_t i = 0; i < loops.keyframes().size(); ++i) {

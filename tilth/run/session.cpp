@@ -120,6 +120,7 @@ void Session::keep(const Scan& scan, const OdometryResult& result, ScanRow row) 
   record_.map.add(result, scan.stamp);
   row.map_ms = mapping.milliseconds();
   record_.trajectory.push_back({result.stamp, result.T_world_lidar});
+  if (pipeline_.slam != nullptr) record_.T_map_odom = pipeline_.slam->T_map_odom();
   record_.scans.stages = clock_.stages();
   record_.scans.rows.push_back(std::move(row));
 }

@@ -91,7 +91,9 @@ Json loop_closure(const LoopRecord& loops) {
   for (const ClosureRow& row : loops.closures) verdicts[row.verdict] = verdicts.value(row.verdict, 0) + 1;
   return {{"keyframes", loops.graph.poses.size()},     {"candidates", loops.closures.size()},
           {"accepted", verdicts.value("accepted", 0)}, {"verdicts", verdicts},
-          {"optimizations", loops.optimizations},      {"finish_ms", loops.finish_ms}};
+          {"optimizations", loops.optimizations},      {"finish_ms", loops.finish_ms},
+          {"detection_ms", loops.times.detection_ms},  {"verification_ms", loops.times.verification_ms},
+          {"graph_ms", loops.times.graph_ms},          {"longest_wait_ms", loops.times.longest_wait_ms}};
 }
 
 Json localization(const LocalizationRecord& record) {

@@ -4,7 +4,7 @@
 namespace tilth {
 
 Slam::Slam(std::unique_ptr<Odometry> odometry, const SlamOptions& options)
-    : odometry_(std::move(odometry)), keyframe_options_(options.loop.keyframe), closer_(options.loop) {
+    : odometry_(std::move(odometry)), keyframe_options_(options.loop.keyframe), thread_(options.loop) {
   odometry_->listen([this](std::string_view stage) { begin_stage(stage); });
 }
 
@@ -30,10 +30,9 @@ void Slam::add_way(const OdometryResult& result) {
 
 /// Far enough from the last one, or the first of a map; never a scan of which nothing was found.
 bool Slam::makes_keyframe(const OdometryResult& result) const {
-  const std::vector<Keyframe>& keyframes = closer_.keyframes();
-  if (keyframes.empty() || begins_map(result)) return true;
+  if (!T_odometry_keyframe_ || begins_map(result)) return true;
   if (result.track.reason == TrackReason::too_few_matches) return false;
-  return is_keyframe(keyframes.back().T_odometry_lidar.inverse() * result.T_world_lidar, keyframe_options_);
+  return is_keyframe(T_odometry_keyframe_->inverse() * result.T_world_lidar, keyframe_options_);
 }
 
 void Slam::add_keyframe(const OdometryResult& result, double scan_stamp) {
@@ -45,14 +44,16 @@ void Slam::add_keyframe(const OdometryResult& result, double scan_stamp) {
   keyframe.severed = severed_;
   covariance_.setZero();
   severed_ = false;
-  closer_.add(std::move(keyframe), [this](std::string_view stage) { begin_stage(stage); });
+  T_odometry_keyframe_ = keyframe.T_odometry_lidar;
+  thread_.add(std::move(keyframe));
 }
 
 Trajectory Slam::trajectory() const {
-  const std::vector<Keyframe>& keyframes = closer_.keyframes();
+  const LoopCloser& closer = loops();
+  const std::vector<Keyframe>& keyframes = closer.keyframes();
   Trajectory corrected = trajectory_;
   const auto by_keyframe = [&](std::size_t k, std::size_t scan) -> Pose {
-    return closer_.poses()[k] * (keyframes[k].T_odometry_lidar.inverse() * trajectory_[scan].T_world_lidar);
+    return closer.poses()[k] * (keyframes[k].T_odometry_lidar.inverse() * trajectory_[scan].T_world_lidar);
   };
   for (std::size_t k = 0; k < keyframes.size(); ++k) {
     const bool last = k + 1 == keyframes.size();
@@ -67,8 +68,8 @@ Trajectory Slam::trajectory() const {
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> Slam::joined_scans() const {
-  const std::vector<Keyframe>& keyframes = closer_.keyframes();
-  const std::vector<bool> joined = closer_.joined();
+  const std::vector<Keyframe>& keyframes = loops().keyframes();
+  const std::vector<bool> joined = loops().joined();
   std::vector<std::pair<std::size_t, std::size_t>> scans;
   bool open = false;
   for (std::size_t k = 1; k < keyframes.size(); ++k) {

@@ -23,7 +23,7 @@ class ViewSink final : public Sink {
 
  private:
   void send_scan(const Scan& scan, const OdometryResult& result, const RunRecord& record);
-  void send_whole(const RunRecord& record);
+  void send_whole(const RunRecord& record, double stamp);
 
   std::shared_ptr<ViewServer> server_;
   Stopwatch since_whole_;

@@ -45,12 +45,17 @@ function inWorld(frame) {
 const takers = {
   "/tf": ({ transforms }) => transforms.forEach((transform) => frames.set(transform.child, transform)),
   "/map": (map) => {
+    scene?.setFrame(inWorld(map.frame));
     scene?.setMap(map);
     document.body.dataset.points = map.count;
   },
-  "/path": ({ poses }) => scene?.setWay(poses.map(({ position }) => position)),
+  "/path": ({ frame, poses }) => {
+    scene?.setFrame(inWorld(frame));
+    scene?.setWay(poses.map(({ position }) => position));
+  },
   "/scan": (scan) => frames.has("lidar") && scene?.setScan(scan, inWorld("lidar")),
   "/odometry": (pose) => {
+    scene?.setFrame(inWorld(pose.frame));
     scene?.setRobot(pose);
     status.takePose(pose);
   },

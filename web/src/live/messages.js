@@ -6,7 +6,7 @@ const kFloat32 = 7;
 /** Coordinates of a cloud, x y z one after the other. */
 function cloud(bytes) {
   const reader = new CdrReader(bytes);
-  const { stamp } = reader.header();
+  const { stamp, frame } = reader.header();
   const count = reader.u32() * reader.u32();
   const fields = reader.list(() => ({ name: reader.text(), offset: reader.u32(), type: reader.u8(), count: reader.u32() }));
   reader.u8(); // the order of bytes: ours
@@ -19,20 +19,20 @@ function cloud(bytes) {
   for (let i = 0; i < count; ++i) {
     for (let axis = 0; axis < 3; ++axis) positions[3 * i + axis] = data.getFloat32(i * stride + offsets[axis], true);
   }
-  return { stamp, count, positions };
+  return { stamp, frame, count, positions };
 }
 
 function odometry(bytes) {
   const reader = new CdrReader(bytes);
-  const { stamp } = reader.header();
+  const { stamp, frame } = reader.header();
   const body = reader.text();
-  return { stamp, body, ...reader.pose() };
+  return { stamp, frame, body, ...reader.pose() };
 }
 
 function path(bytes) {
   const reader = new CdrReader(bytes);
-  reader.header();
-  return { poses: reader.list(() => ({ ...reader.header(), ...reader.pose() })) };
+  const { frame } = reader.header();
+  return { frame, poses: reader.list(() => ({ ...reader.header(), ...reader.pose() })) };
 }
 
 function transforms(bytes) {

@@ -86,7 +86,10 @@ export class Scene {
     this.robot = new Robot({}, 1);
     this.robot.object.visible = false;
     this.grid = new THREE.Group();
-    this.scene.add(this.grid, this.map, this.scan, this.way, this.robot.object);
+    this.mapped = new THREE.Group(); // what is given in the frame of odometry, while loops are being closed
+    this.mapped.matrixAutoUpdate = false;
+    this.mapped.add(this.map, this.way, this.robot.object);
+    this.scene.add(this.grid, this.mapped, this.scan);
   }
 
   restyle() {
@@ -109,6 +112,13 @@ export class Scene {
     this.setWay([]);
     this.robot.object.visible = false;
     this.fitted = true;
+    this.ask();
+  }
+
+  /** Where the frame is that map, way and robot are given in. */
+  setFrame(T_world_frame) {
+    this.mapped.matrix.copy(T_world_frame);
+    this.mapped.matrixWorldNeedsUpdate = true;
     this.ask();
   }
 

@@ -10,6 +10,11 @@ function fact(name) {
   return { value, elements: [element("dt", { text: name }), value] };
 }
 
+/** Of a value that a run in a saved map does not have. */
+function millisecondsText(value) {
+  return value === undefined ? "–" : `${numberText(Number(value))} ms`;
+}
+
 export class Status {
   constructor(place) {
     this.name = element("h1", { text: "Tilth" });
@@ -65,9 +70,10 @@ export class Status {
     this.times = [...this.times.slice(1 - kRecent), ms];
     this.arrivals = [...this.arrivals.slice(1 - kRecent), performance.now()];
     this.say("a scan takes", `${numberText(ms)} ms`);
-    this.say("waited for it", `${numberText(Number(values.read_ms))} ms`);
-    this.say("into the map", `${numberText(Number(values.build_map_ms))} ms`);
-    this.say("matched", `${values.matches} of ${values.candidates}`);
+    this.say("waited for it", millisecondsText(values.read_ms));
+    this.say("into the map", millisecondsText(values.build_map_ms));
+    const inSavedMap = "overlap" in values;
+    this.say("matched", inSavedMap ? `${(100 * Number(values.overlap)).toFixed(0)} % on the map` : `${values.matches} of ${values.candidates}`);
     const seconds = 1e-3 * (this.arrivals.at(-1) - this.arrivals[0]);
     if (seconds > 0) this.say("scans come", `${numberText((this.arrivals.length - 1) / seconds)} a second`);
     this.draw();
