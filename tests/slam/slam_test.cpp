@@ -121,7 +121,7 @@ TEST(Slam, TellsHowFarTheNewestPoseHasDrifted) {
   Trajectory known = odometry;
   known.back().T_world_lidar = slam.T_map_odom() * odometry.back().T_world_lidar;
   EXPECT_GT(end_error(simulator, odometry), 0.1);
-  EXPECT_LT(end_error(simulator, known), 0.3 * end_error(simulator, odometry)) << "the rest is since the last closure";
+  EXPECT_LT(end_error(simulator, known), 0.5 * end_error(simulator, odometry)) << "the rest is since the last closure";
 }
 
 // What a keyframe throws on the thread reaches who asks for the loops.
