@@ -47,7 +47,7 @@ std::string localization_header() {
   constexpr const char* kAxes[] = {"rx", "ry", "rz", "tx", "ty", "tz"};
   for (int i = 0; i < 6; ++i)
     for (int j = i; j < 6; ++j) header.append(",cov_").append(kAxes[i]).append("_").append(kAxes[j]);
-  return header;
+  return header + "\n";
 }
 
 std::string localization_line(const LocalizationRow& row, const std::optional<Pose>& T_base_lidar) {
@@ -62,6 +62,7 @@ std::string localization_line(const LocalizationRow& row, const std::optional<Po
       out << ',';
       if (row.T_map_lidar) out << covariance(i, j);
     }
+  out << '\n';
   return out.str();
 }
 

@@ -50,7 +50,7 @@ std::vector<MapStateInterval> state_intervals(const LocalizationRecord& record);
 /// [s] from each beginning, and each loss, to the first scan that was located, where there was one.
 std::vector<double> times_to_answer(const LocalizationRecord& record);
 
-/// localization.csv, without ends of lines; poses are of base_link where it is known how the LiDAR is mounted.
+/// localization.csv, lines with their ends; poses are of base_link where it is known how the LiDAR is mounted.
 std::string localization_header();
 std::string localization_line(const LocalizationRow& row, const std::optional<Pose>& T_base_lidar);
 
