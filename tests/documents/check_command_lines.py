@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-BLOCK = re.compile(r"^```sh\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+BLOCK = re.compile(r"^ *```sh\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
 SPAN = re.compile(r"`(tilth [^`]+)`")
 STOP = {"&&", "||", "&", ";", "|", ">", "<", "2>&1"}
 LEFT_OUT = ("CHANGELOG.md",)  # tells of what was
