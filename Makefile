@@ -1,5 +1,5 @@
 # Verbs over the presets: `make <verb>`.
-.PHONY: build test bench format check docs demo
+.PHONY: build test bench format check docs site demo
 
 build: ## the program: build/release/tilth
 	cmake --preset release && cmake --build build/release
@@ -16,8 +16,11 @@ format: ## every C++ file
 check: ## what CI refuses without running a test: format and warnings
 	scripts/format --check && cmake --preset ci && cmake --build build/ci
 
-docs: build ## docs/options.md, from the program itself
-	scripts/docs
+docs: build ## docs/options.md, from the program itself, and docs/architecture.md, from the #include lines
+	scripts/docs && scripts/architecture
+
+site: ## the documents as a site: build/site
+	scripts/site
 
 demo: ## from nothing to a map
 	scripts/demo

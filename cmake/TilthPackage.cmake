@@ -37,7 +37,8 @@ function(tilth_component name)
     set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION}
                                                SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   endif()
-  install(TARGETS ${target} EXPORT tilth LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(TARGETS ${target} EXPORT tilth
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT libraries NAMELINK_COMPONENT development)
 endfunction()
 
 tilth_component(odometry LIBRARIES Eigen3::Eigen TBB::tbb)
@@ -54,7 +55,8 @@ file(STRINGS ${public_headers} public_headers REGEX "^[a-z]")
 foreach(header IN LISTS public_headers)
   get_filename_component(room ${header} DIRECTORY)
   if(room STREQUAL "" OR room IN_LIST rooms)
-    install(FILES ${PROJECT_SOURCE_DIR}/tilth/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tilth/${room})
+    install(FILES ${PROJECT_SOURCE_DIR}/tilth/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/tilth/${room}
+            COMPONENT development)
   endif()
 endforeach()
 
@@ -63,5 +65,5 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/tilthConfig.cmake.in ${P
                               INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/tilthConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/tilthConfig.cmake ${PROJECT_BINARY_DIR}/tilthConfigVersion.cmake
-        DESTINATION ${package_folder})
-install(EXPORT tilth NAMESPACE tilth:: FILE tilthTargets.cmake DESTINATION ${package_folder})
+        DESTINATION ${package_folder} COMPONENT development)
+install(EXPORT tilth NAMESPACE tilth:: FILE tilthTargets.cmake DESTINATION ${package_folder} COMPONENT development)

@@ -30,5 +30,7 @@ void add_map(CLI::App& app, int& exit_code);
 void add_localize(CLI::App& app, int& exit_code);
 void add_job(CLI::App& app, int& exit_code);
 void add_sensors(CLI::App& app, int& exit_code);
+void add_completion(CLI::App& app, int& exit_code);
+void add_manual(CLI::App& app, int& exit_code);
 
 }  // namespace tilth::app

@@ -22,6 +22,27 @@ def bench(tilth, out, *more):
     return subprocess.run(line, capture_output=True, text=True, timeout=300, check=False)
 
 
+def check_history(tilth, out):
+    """The first measurement is kept, what is no worse passes, what is is named, other measurements are not compared."""
+    file = out / "history.jsonl"
+    line = ("--quick", "--scenes", "auditorium", "--peers", "", "--history", file)
+    first = bench(tilth, out, *line)
+    assert first.returncode == 0 and "the first measurement" in first.stdout, first.stdout + first.stderr
+    kept = json.loads(file.read_text())
+    assert kept["rows"][0]["ape_rmse_m"] > 0 and kept["machine"] and kept["commit"], kept
+    slow, fast = ([{**row, "cpu_ms_mean": row["cpu_ms_mean"] * factor} for row in kept["rows"]] for factor in (100, 0.01))
+    file.write_text(json.dumps(kept | {"rows": slow}) + "\n")
+    better = bench(tilth, out, *line)
+    assert better.returncode == 0 and "WORSE" not in better.stdout and "cpu_ms_mean" in better.stdout, better.stdout
+    file.write_text(json.dumps(kept | {"rows": fast}) + "\n")
+    worse = bench(tilth, out, *line)
+    assert worse.returncode == 1 and worse.stdout.count("WORSE") == 1, worse.stdout
+    other = bench(tilth, out, *line, "--seed", "302")
+    assert other.returncode == 0 and "the first measurement" in other.stdout, other.stdout
+    assert len(file.read_text().splitlines()) == 3
+    file.unlink()
+
+
 def main():
     tilth = sys.argv[1]
     with tempfile.TemporaryDirectory() as folder:
@@ -41,6 +62,7 @@ def main():
         assert rows[0]["error_over_best_peer"] < 1 and rows[2]["error_over_best_peer"] is None, rows
         assert (out / "bench.md").read_text() in ended.stdout
         assert [path.name for path in out.iterdir() if path.is_dir()] == [], "runs were left behind"
+        check_history(tilth, out)
         bad = bench(tilth, out, "--peers", "no_such")
         assert bad.returncode == 1 and "--peers no_such" in bad.stderr, bad.stderr
     print("one pipeline and KISS-ICP, on a scene and on a recording")

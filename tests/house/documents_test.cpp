@@ -18,7 +18,7 @@ std::vector<std::string> cpp_blocks_of(const std::string& markdown) {
 
 TEST(Documents, ShowTheExamples) {
   const std::filesystem::path root = TILTH_SOURCE_DIR;
-  for (const char* document : {"README.md", "docs/library.md"}) {
+  for (const char* document : {"README.md", "README.zh.md", "docs/library.md"}) {
     const std::vector<std::string> blocks = cpp_blocks_of(read_text(root / document));
     EXPECT_FALSE(blocks.empty()) << document;
     for (const std::string& block : blocks) {
