@@ -10,6 +10,7 @@
 
 #include <tilth/core/point_records.hpp>
 #include <tilth/core/trajectory.hpp>
+#include <tilth/messages/diagnostic_message.hpp>
 #include <tilth/messages/ros2_definitions.hpp>
 #include <tilth/run/run_record.hpp>
 
@@ -35,14 +36,19 @@ std::uint64_t nanoseconds(double stamp);
 /// All throw Error where a stamp lies outside [0, 2^32 - 1) s. Poses of the LiDAR go in, those of the body come out.
 /// The scan is as the sensor would have seen it all at once at the stamp of its pose, in its own frame, without
 /// outliers: every n-th point, so that no more than `points` remain.
-std::vector<std::byte> scan_message(const Scan& scan, const OdometryResult& result, std::uint64_t points);
+std::vector<std::byte> scan_message(const Scan& scan, const OdometryResult& result, std::uint64_t points,
+                                    const std::string& frame = "lidar");
 std::vector<std::byte> tf_message(const StampedPose& pose, const std::optional<Pose>& T_base_lidar);
 std::vector<std::byte> odometry_message(const StampedPose& pose, const Matrix6d& covariance,
                                         const std::optional<Pose>& T_base_lidar);
 std::vector<std::byte> path_message(const Trajectory& poses, const std::optional<Pose>& T_base_lidar);
-std::vector<std::byte> map_message(double stamp, PointRecords map_in_world);
+std::vector<std::byte> map_message(double stamp, PointRecords map_in_world, const std::string& frame = "world");
 
 /// The state of the track, and what the scan took and gave.
+Diagnostic track_diagnostic(const ScanRow& row);
 std::vector<std::byte> diagnostics_message(const ScanRow& row);
+
+/// Every n-th pose and the last, so that about `most` remain.
+Trajectory thinned(const Trajectory& poses, std::size_t most);
 
 }  // namespace tilth

@@ -15,15 +15,6 @@ constexpr std::size_t kMapPoints = 100'000;
 constexpr std::size_t kPathPoses = 5000;
 constexpr double kBetweenWholes = 2.0;  // [s] from one path and map to the next
 
-/// Every n-th pose and the last.
-Trajectory thinned(const Trajectory& poses) {
-  const std::size_t every = std::max<std::size_t>(1, poses.size() / kPathPoses);
-  Trajectory some;
-  for (std::size_t i = 0; i < poses.size(); i += every) some.push_back(poses[i]);
-  if (!poses.empty() && some.back().stamp != poses.back().stamp) some.push_back(poses.back());
-  return some;
-}
-
 }  // namespace
 
 void ViewSink::take(const Scan& scan, const OdometryResult& result, const RunRecord& record) {
@@ -53,7 +44,8 @@ void ViewSink::send_whole(const RunRecord& record) {
   const bool path = server_->wanted(RunTopic::path), map = server_->wanted(RunTopic::map);
   if ((!path && !map) || record.trajectory.empty()) return;
   const double stamp = record.trajectory.back().stamp;
-  if (path) server_->send(RunTopic::path, stamp, path_message(thinned(record.trajectory), record.T_base_lidar));
+  if (path)
+    server_->send(RunTopic::path, stamp, path_message(thinned(record.trajectory, kPathPoses), record.T_base_lidar));
   if (map) server_->send(RunTopic::map, stamp, map_message(stamp, record.map.thinned_records(kMapPoints)));
   since_whole_ = Stopwatch();
   sent_whole_ = true;
