@@ -1,5 +1,6 @@
 #include "parameters.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <rcl/arguments.h>
@@ -66,21 +67,6 @@ double number_of(const std::string& text) {
   return value;
 }
 
-class Descriptions {
- public:
-  explicit Descriptions(std::vector<OptionInfo> options) : options_(std::move(options)) {}
-
-  const std::vector<OptionInfo>& all() const { return options_; }
-  const OptionInfo* find(const rosidl_runtime_c__String& name) const {
-    for (const OptionInfo& option : options_)
-      if (option.key == name.data) return &option;
-    return nullptr;
-  }
-
- private:
-  std::vector<OptionInfo> options_;
-};
-
 void describe(const OptionInfo& option, rcl_interfaces__msg__ParameterDescriptor& to) {
   to.type = kind_of(option);
   to.read_only = true;
@@ -101,6 +87,17 @@ void set_value(const OptionInfo& option, rcl_interfaces__msg__ParameterValue& to
   if (to.type == rcl_interfaces__msg__ParameterType__PARAMETER_STRING) assign(to.string_value, option.value);
 }
 
+/// Calls `answer` with each of `parameters` that is asked for, and its place among those names.
+template <class F>
+void for_each_known(const std::vector<OptionInfo>& parameters, const rosidl_runtime_c__String__Sequence& names,
+                    const F& answer) {
+  for (std::size_t i = 0; i < names.size; ++i) {
+    const auto is_it = [&](const OptionInfo& option) { return option.key == names.data[i].data; };
+    const auto found = std::find_if(parameters.begin(), parameters.end(), is_it);
+    if (found != parameters.end()) answer(*found, i);
+  }
+}
+
 }  // namespace
 
 StartParameters read_parameters(RclNode& node) {
@@ -119,43 +116,34 @@ StartParameters read_parameters(RclNode& node) {
   return start;
 }
 
-std::vector<std::unique_ptr<ServiceServer>> parameter_services(RclNode& node, std::vector<OptionInfo> parameters,
+std::vector<std::unique_ptr<ServiceServer>> parameter_services(RclNode& node, std::vector<OptionInfo> known,
                                                                bool use_sim_time) {
-  parameters.push_back({kSimTime, use_sim_time ? "true" : "false", "-", "time is that of /clock", "true | false"});
-  const auto known = std::make_shared<Descriptions>(std::move(parameters));
+  known.push_back({kSimTime, use_sim_time ? "true" : "false", "-", "time is that of /clock", "true | false"});
   std::vector<std::unique_ptr<ServiceServer>> services;
-  services.push_back(std::make_unique<TypedService<ListParametersService>>(
-      node, "~/list_parameters", [known](const auto&, auto& response) {
-        rosidl_runtime_c__String__Sequence__init(&response.result.names, known->all().size());
-        for (std::size_t i = 0; i < known->all().size(); ++i)
-          assign(response.result.names.data[i], known->all()[i].key);
-      }));
-  services.push_back(std::make_unique<TypedService<DescribeParametersService>>(
-      node, "~/describe_parameters", [known](const auto& request, auto& response) {
-        rcl_interfaces__msg__ParameterDescriptor__Sequence__init(&response.descriptors, request.names.size);
-        for (std::size_t i = 0; i < request.names.size; ++i)
-          if (const OptionInfo* option = known->find(request.names.data[i]))
-            describe(*option, response.descriptors.data[i]);
-      }));
-  services.push_back(std::make_unique<TypedService<GetParametersService>>(
-      node, "~/get_parameters", [known](const auto& request, auto& response) {
-        rcl_interfaces__msg__ParameterValue__Sequence__init(&response.values, request.names.size);
-        for (std::size_t i = 0; i < request.names.size; ++i)
-          if (const OptionInfo* option = known->find(request.names.data[i]))
-            set_value(*option, response.values.data[i]);
-      }));
-  services.push_back(std::make_unique<TypedService<GetParameterTypesService>>(
-      node, "~/get_parameter_types", [known](const auto& request, auto& response) {
-        rosidl_runtime_c__uint8__Sequence__init(&response.types, request.names.size);
-        for (std::size_t i = 0; i < request.names.size; ++i)
-          if (const OptionInfo* option = known->find(request.names.data[i])) response.types.data[i] = kind_of(*option);
-      }));
-  services.push_back(std::make_unique<TypedService<SetParametersService>>(
-      node, "~/set_parameters", [](const auto& request, auto& response) {
-        rcl_interfaces__msg__SetParametersResult__Sequence__init(&response.results, request.parameters.size);
-        for (std::size_t i = 0; i < request.parameters.size; ++i)
-          assign(response.results.data[i].reason, "parameters are read when the node starts");
-      }));
+  const auto add = [&]<class S>(const char* name, S, auto handler) {
+    services.push_back(std::make_unique<TypedService<S>>(node, name, std::move(handler)));
+  };
+  add("~/list_parameters", ListParametersService{}, [known](const auto&, auto& response) {
+    rosidl_runtime_c__String__Sequence__init(&response.result.names, known.size());
+    for (std::size_t i = 0; i < known.size(); ++i) assign(response.result.names.data[i], known[i].key);
+  });
+  add("~/describe_parameters", DescribeParametersService{}, [known](const auto& request, auto& response) {
+    rcl_interfaces__msg__ParameterDescriptor__Sequence__init(&response.descriptors, request.names.size);
+    for_each_known(known, request.names, [&](const auto& o, auto i) { describe(o, response.descriptors.data[i]); });
+  });
+  add("~/get_parameters", GetParametersService{}, [known](const auto& request, auto& response) {
+    rcl_interfaces__msg__ParameterValue__Sequence__init(&response.values, request.names.size);
+    for_each_known(known, request.names, [&](const auto& o, auto i) { set_value(o, response.values.data[i]); });
+  });
+  add("~/get_parameter_types", GetParameterTypesService{}, [known](const auto& request, auto& response) {
+    rosidl_runtime_c__uint8__Sequence__init(&response.types, request.names.size);
+    for_each_known(known, request.names, [&](const auto& o, auto i) { response.types.data[i] = kind_of(o); });
+  });
+  add("~/set_parameters", SetParametersService{}, [](const auto& request, auto& response) {
+    rcl_interfaces__msg__SetParametersResult__Sequence__init(&response.results, request.parameters.size);
+    for (std::size_t i = 0; i < request.parameters.size; ++i)
+      assign(response.results.data[i].reason, "parameters are read when the node starts");
+  });
   return services;
 }
 

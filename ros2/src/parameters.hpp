@@ -18,8 +18,8 @@ struct StartParameters {
 /// Those that are meant for the node. Throws Error for a list, which none of its parameters is.
 StartParameters read_parameters(RclNode& node);
 
-/// The services about `parameters` and use_sim_time.
-std::vector<std::unique_ptr<ServiceServer>> parameter_services(RclNode& node, std::vector<OptionInfo> parameters,
+/// The services about the `known` parameters and use_sim_time.
+std::vector<std::unique_ptr<ServiceServer>> parameter_services(RclNode& node, std::vector<OptionInfo> known,
                                                                bool use_sim_time);
 
 }  // namespace tilth::ros2

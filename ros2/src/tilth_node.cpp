@@ -25,7 +25,6 @@ TILTH_ROS2_SERVICE(std_srvs, Trigger);
 
 constexpr std::int64_t kLongestWait = 100'000'000;  // [ns]
 constexpr std::size_t kLeastDepth = 10;             // of clouds that came at once
-constexpr double kTimeWentBack = 1.0;               // [s] of /clock: a recording begins anew
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -56,7 +55,13 @@ class RclOutlet final : public NodeOutlet {
       topics_.push_back(std::make_unique<MessagePublisher>(node, type_of(topic.topic), topic.name, quality_of(topic)));
   }
 
-  void publish(NodeTopic topic, std::span<const std::byte> message) override { of(topic).publish(message); }
+  void publish(NodeTopic topic, std::span<const std::byte> message) override {
+    try {
+      of(topic).publish(message);
+    } catch (const Error& error) {
+      warn(error.what());  // a message less: the run goes on
+    }
+  }
   bool wanted(NodeTopic topic) override { return of(topic).listeners() > 0; }
   void note(const std::string& sentence) override { RCUTILS_LOG_INFO_NAMED(node_.logger(), "%s", sentence.c_str()); }
   void warn(const std::string& sentence) override { RCUTILS_LOG_WARN_NAMED(node_.logger(), "%s", sentence.c_str()); }
@@ -132,22 +137,14 @@ class Inlet {
     if (result == RCL_RET_TIMEOUT) return;
     check(result, "wait set");
     if (clock_)
-      for (std::vector<std::byte> time = clock_->take(); !time.empty(); time = clock_->take()) take_clock(time);
+      for (std::vector<std::byte> time = clock_->take(); !time.empty(); time = clock_->take())
+        time_ = RosMessageReader(time, Serialization::cdr, "Clock").time("clock");
     for (std::vector<std::byte> cloud = points_->take(); !cloud.empty(); cloud = points_->take()) {
       slam_.lose(points_->lost());
       slam_.take(std::move(cloud), now());
     }
     for (std::size_t i = 0; i < services_.size(); ++i)
       if (waiting.services[i] != nullptr) services_[i]->answer();
-  }
-
-  void take_clock(const std::vector<std::byte>& message) {
-    const double time = RosMessageReader(message, Serialization::cdr, "Clock").time("clock");
-    if (time < time_ - kTimeWentBack) {
-      outlet_.note("/clock went back: begins anew");
-      slam_.reset();
-    }
-    time_ = time;
   }
 
   std::uint64_t now() const {

@@ -13,6 +13,7 @@ import rclpy
 from diagnostic_msgs.msg import DiagnosticArray
 from mcap.reader import make_reader
 from nav_msgs.msg import Odometry, Path as Way
+from rcl_interfaces.srv import ListParameters
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from rclpy.serialization import deserialize_message, serialize_message
@@ -40,17 +41,18 @@ MOUNT = "0.3,0.1,0.7,2,-3,20"
 
 
 def until(condition, what):
+    """Waits for it; `what` says for what, and how far it is."""
     end = time.monotonic() + PATIENCE
     while not condition():
-        assert time.monotonic() < end, f"waited {PATIENCE} s in vain: {what}"
+        assert time.monotonic() < end, f"waited {PATIENCE} s in vain: {what() if callable(what) else what}"
         time.sleep(0.02)
 
 
 class Peer:
     """A node of rclpy that spins in a thread of its own: hears the topics it is given, and plays clouds."""
 
-    def __init__(self, topics=tuple(TYPES)):
-        self.node = rclpy.create_node("peer")
+    def __init__(self, topics=tuple(TYPES), name="peer"):
+        self.node = rclpy.create_node(name)
         self.heard = defaultdict(list)
         for topic in topics:
             kind, qos = TYPES[topic]
@@ -66,7 +68,8 @@ class Peer:
         until(lambda: self.clouds.get_subscription_count() > 0, "the node listens to clouds")
         for topic in self.heard:
             until(lambda: self.node.count_publishers(topic) > 0, f"the node publishes {topic}")
-        time.sleep(0.5)  # those who listen to the node are known to it a little later
+        # Who made a client later than all else is answered by a node that knows all else by then.
+        self.call(ListParameters, "/tilth/list_parameters", ListParameters.Request())
         due = time.monotonic()
         for cloud in clouds:
             self.clouds.publish(cloud)
@@ -78,6 +81,7 @@ class Peer:
         assert client.wait_for_service(PATIENCE), name
         answer = client.call_async(request)
         until(answer.done, f"{name} answers")
+        self.node.destroy_client(client)
         return answer.result()
 
     def close(self):
@@ -131,7 +135,8 @@ def as_ros2(cloud):
     message = PointCloud2(height=cloud.height, width=cloud.width, point_step=cloud.point_step, row_step=cloud.row_step)
     message.header.frame_id = cloud.header.frame_id
     message.header.stamp.sec, message.header.stamp.nanosec = cloud.header.stamp.sec, cloud.header.stamp.nanosec
-    message.fields = [PointField(name=f.name, offset=f.offset, datatype=f.datatype, count=f.count) for f in cloud.fields]
+    for f in cloud.fields:
+        message.fields.append(PointField(name=f.name, offset=f.offset, datatype=f.datatype, count=f.count))
     message.is_bigendian, message.is_dense = bool(cloud.is_bigendian), bool(cloud.is_dense)
     message.data = cloud.data.tobytes()
     return message
@@ -145,7 +150,8 @@ def recording(tmp_path_factory):
     subprocess.run([PROGRAM, "simulate", *scene, "--out", folder, "--format", "bag"], check=True)
     store = get_typestore(Stores.ROS2_JAZZY)
     clouds = []
-    with AnyReader([folder / "scans.bag"]) as bag, Writer(folder / "mcap", version=9, storage_plugin=StoragePlugin.MCAP) as out:
+    mcap = Writer(folder / "mcap", version=9, storage_plugin=StoragePlugin.MCAP)
+    with AnyReader([folder / "scans.bag"]) as bag, mcap as out:
         connection = out.add_connection("/clouds", "sensor_msgs/msg/PointCloud2", typestore=store)
         for source, stamp, raw in list(bag.messages())[49:]:
             clouds.append(serialize_message(as_ros2(bag.deserialize(raw, source.msgtype))))

@@ -20,6 +20,7 @@ namespace tilth {
 namespace {
 
 constexpr const char* kTopic = "topic points";
+constexpr double kFallBack = 1.0;  // [s]; a cloud that is late by less is only left out
 
 class OutletObserver final : public RunObserver {
  public:
@@ -31,13 +32,23 @@ class OutletObserver final : public RunObserver {
   NodeOutlet& outlet_;
 };
 
-/// The frame that messages of the inbox are in, as it becomes known: that of the first one that is read.
-CloudFeed feed_of(const std::shared_ptr<CloudInbox>& inbox, const std::shared_ptr<std::string>& frame) {
+/// Messages of the inbox, to its end, or until the stamps of one frame fall back: then a recording is played anew.
+/// `frame` becomes that of the first message, where it is empty.
+CloudFeed feed_of(const std::shared_ptr<CloudInbox>& inbox, const std::shared_ptr<std::string>& frame,
+                  NodeOutlet& outlet) {
   CloudFeed feed{.name = kTopic, .next = {}, .trust = StampTrust::believed};
-  feed.next = [inbox, frame] {
+  feed.next = [inbox, frame, &outlet, last = 0.0]() mutable {
     std::optional<Message> message = inbox->pop();
-    if (message && frame->empty())
-      *frame = RosMessageReader(message->bytes, Serialization::cdr, "PointCloud2").header().frame_id;
+    if (!message) return message;
+    const auto header = RosMessageReader(message->bytes, Serialization::cdr, "PointCloud2").header();
+    if (frame->empty()) *frame = header.frame_id;
+    if (header.frame_id != *frame) return message;
+    if (header.stamp < last - kFallBack) {
+      outlet.warn("the stamps of the clouds fall back by " + std::to_string(last - header.stamp) + " s: begins anew");
+      inbox->close();
+      message.reset();
+    }
+    last = header.stamp;
     return message;
   };
   return feed;
@@ -88,7 +99,7 @@ class SlamNode::Work {
 
   void run(const std::shared_ptr<CloudInbox>& clouds) {
     const auto frame = std::make_shared<std::string>(settings_.node.lidar_frame);
-    auto source = open_clouds(feed_of(clouds, frame), settings_.node.lidar_frame, settings_.clouds, {});
+    auto source = open_clouds(feed_of(clouds, frame, outlet_), settings_.node.lidar_frame, settings_.clouds, {});
     RunRecord record = new_record(kTopic, settings_.node.pipeline, settings_.pipeline);
     record.T_base_lidar = settings_.T_base_lidar;
     record.map = MapBuilder(settings_.map);

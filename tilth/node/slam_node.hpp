@@ -26,7 +26,8 @@ class SlamNode {
   SlamNode& operator=(const SlamNode&) = delete;
 
   /// A sensor_msgs/PointCloud2 in CDR that came at `arrival` [ns]. Never waits. The first eight decide what its fields
-  /// mean (docs/formats/time_and_ring.md), and are registered then. What cannot be read is left out, and said.
+  /// mean (docs/formats/time_and_ring.md), and are registered then. What cannot be read is left out, and said. Where
+  /// stamps fall back by more than a second, it begins anew.
   void take(std::vector<std::byte> cloud, std::uint64_t arrival);
 
   /// So many clouds were lost before the next one, says the middleware.
