@@ -67,3 +67,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/tilthConfigVersion.cmake 
 install(FILES ${PROJECT_BINARY_DIR}/tilthConfig.cmake ${PROJECT_BINARY_DIR}/tilthConfigVersion.cmake
         DESTINATION ${package_folder} COMPONENT development)
 install(EXPORT tilth NAMESPACE tilth:: FILE tilthTargets.cmake DESTINATION ${package_folder} COMPONENT development)
+export(EXPORT tilth NAMESPACE tilth:: FILE ${PROJECT_BINARY_DIR}/tilthTargets.cmake) # -Dtilth_DIR=<build folder>

@@ -65,7 +65,7 @@ const std::map<std::string, std::vector<std::string>> kLibraryHome{
 };
 
 /// All other rooms are silent and blind: no file, no print, no clock, no thread.
-const std::set<std::string> kLoudRooms{"io", "gazebo", "sources", "atlas", "run", "report", "study", "view"};
+const std::set<std::string> kLoudRooms{"io", "gazebo", "sources", "atlas", "run", "report", "study", "view", "node"};
 const std::set<std::string> kLoudHeaders{"iostream", "fstream",  "print",   "filesystem", "chrono",
                                          "ctime",    "time.h",   "thread",  "mutex",      "future",
                                          "atomic",   "unistd.h", "csignal", "random",     "condition_variable"};

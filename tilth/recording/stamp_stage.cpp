@@ -27,8 +27,8 @@ StampReading reading_of(std::size_t index, const StampedRecords& records) {
   return {index, records.stamp.stamp, records.stamp.arrival, std::hash<std::string_view>{}(content)};
 }
 
-StampStage::StampStage(std::span<const StampReading> first)
-    : origin_(decide_stamp_origin(first)), repair_(readings_by(origin_.origin, first)) {}
+StampStage::StampStage(std::span<const StampReading> first, StampTrust trust)
+    : origin_(decide_stamp_origin(first)), repair_(readings_by(origin_.origin, first)), trust_(trust) {}
 
 RecordingTraits StampStage::traits(RecordingTraits known) const {
   known.end_stamps = origin_.origin == StampOrigin::recorder;
@@ -58,7 +58,13 @@ void StampStage::add(StampedMessage message) {
 }
 
 std::optional<StampedMessage> StampStage::next(bool ended) {
-  if (waiting_.empty() || (!ended && waiting_.size() <= StampRepair::kAhead)) return std::nullopt;
+  const std::size_t ahead = trust_ == StampTrust::judged && !ended ? StampRepair::kAhead : 0;
+  if (waiting_.size() <= ahead) return std::nullopt;
+  if (trust_ == StampTrust::believed) {
+    StampedMessage first = std::move(waiting_.front());
+    waiting_.pop_front();
+    return first;
+  }
   std::vector<StampReading> window;
   for (const StampedMessage& message : waiting_) window.push_back(message.reading);
   StampVerdict verdict = repair_.next(window);

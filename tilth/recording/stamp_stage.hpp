@@ -2,6 +2,7 @@
 // among those before and after it, so that a few messages wait here. O(1) a message beside looking at its bytes once.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <optional>
 #include <span>
@@ -22,13 +23,17 @@ struct StampedMessage {
   std::string left_out;  ///< why it is passed over; empty: it is not
 };
 
+/// judged: a message waits for some after it, and a stamp that cannot be is replaced. believed: none waits, as suits
+/// what comes live, and stamps are taken as they are.
+enum class StampTrust : std::uint8_t { judged, believed };
+
 /// What is known of the stamp of record `index`.
 StampReading reading_of(std::size_t index, const StampedRecords& records);
 
 class StampStage {
  public:
   /// From the first messages of the recording, at least one.
-  explicit StampStage(std::span<const StampReading> first);
+  explicit StampStage(std::span<const StampReading> first, StampTrust trust = StampTrust::judged);
 
   const std::string& decision() const { return origin_.sentence; }  ///< empty: the stamps are as recorded
   RecordingTraits traits(RecordingTraits known) const;              ///< with what the stamps are
@@ -50,6 +55,7 @@ class StampStage {
   StampOriginDecision origin_;
   StampRepair repair_;
   std::deque<StampedMessage> waiting_;
+  StampTrust trust_;
 };
 
 }  // namespace tilth

@@ -39,7 +39,7 @@ void McapSink::finish(const RunRecord& record) {
   const std::vector<ScanRow>& rows = record.scans.rows;
   const double begin = trajectory.empty() ? 0.0 : trajectory.front().stamp;
   write(RunTopic::path, begin, path_message(trajectory, frames));
-  write(RunTopic::map, begin, map_message(begin, record.map.records(), frames));
+  write(RunTopic::map, begin, map_message(begin, record.map.records(), names_in(frames).world));
   const std::size_t without_row = trajectory.size() - std::min(trajectory.size(), rows.size());
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     const StampedPose& pose = trajectory[i];

@@ -26,13 +26,6 @@ ClosureRow row_of(const LoopClosure& closure, const std::vector<Keyframe>& keyfr
   return row;
 }
 
-std::vector<Pose> corrections(const Trajectory& before, const Trajectory& after) {
-  std::vector<Pose> T_after_before;
-  for (std::size_t i = 0; i < before.size(); ++i)
-    T_after_before.push_back(after[i].T_world_lidar * before[i].T_world_lidar.inverse());
-  return T_after_before;
-}
-
 /// What was right only relative to itself is right again, as the one scan says that stands for "found again".
 void believe_joined(const Slam& slam, ScanTable& scans) {
   for (const auto& [first, last] : slam.joined_scans()) {
@@ -46,6 +39,13 @@ void believe_joined(const Slam& slam, ScanTable& scans) {
 }
 
 }  // namespace
+
+std::vector<Pose> corrections(const Trajectory& before, const Trajectory& after) {
+  std::vector<Pose> T_after_before;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    T_after_before.push_back(after[i].T_world_lidar * before[i].T_world_lidar.inverse());
+  return T_after_before;
+}
 
 Pipeline with_loop_closure(Pipeline pipeline, const SlamOptions& options) {
   auto around = std::make_unique<Slam>(std::move(pipeline.odometry), options);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include <tilth/odometry/odometry.hpp>
 #include <tilth/run/run_record.hpp>
@@ -19,6 +20,9 @@ struct Pipeline {
 
 /// The same with loop closure. Throws Error on options that are wrong.
 Pipeline with_loop_closure(Pipeline pipeline, const SlamOptions& options);
+
+/// T_after_before of each pose, by which a map that was built with the poses `before` moves.
+std::vector<Pose> corrections(const Trajectory& before, const Trajectory& after);
 
 /// Optimises for the last time; then trajectory and map of `record` are the corrected ones, and what led there stands
 /// in `record.loops`.

@@ -3,9 +3,7 @@
 #include <cstdio>
 
 #include <tilth/io/cloud_records.hpp>
-#include <tilth/messages/diagnostic_message.hpp>
 #include <tilth/messages/point_cloud2.hpp>
-#include <tilth/messages/pose_message.hpp>
 #include <tilth/odometry/odometry.hpp>
 #include <tilth/run/base_frame.hpp>
 #include <tilth/run/run_messages.hpp>
@@ -13,15 +11,8 @@
 namespace tilth {
 namespace {
 
-constexpr const char* kLidar = "lidar";
-
-/// Those of poses.
-Frames names_in(const RunFrames& frames) {
-  return {frames.T_map_odom ? "odom" : Frames{}.world, body_of(frames.T_base_lidar)};
-}
-
 /// Evenly, in the order of the points.
-std::vector<std::uint32_t> thinned(std::size_t count, std::uint64_t most) {
+std::vector<std::uint32_t> thinned_indices(std::size_t count, std::uint64_t most) {
   std::vector<std::uint32_t> indices(std::min<std::uint64_t>(count, most));
   for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = std::uint32_t(i * count / indices.size());
   return indices;
@@ -72,14 +63,19 @@ RunFrames frames_of(const RunRecord& record) {
   return {record.T_base_lidar, record.T_map_odom};
 }
 
+Frames names_in(const RunFrames& frames) {
+  return {frames.T_map_odom ? "odom" : Frames{}.world, body_of(frames.T_base_lidar)};
+}
+
 std::uint64_t nanoseconds(double stamp) {
   return stamp > 0.0 ? std::uint64_t(std::llround(stamp * 1e9)) : 0;
 }
 
-std::vector<std::byte> scan_message(const Scan& scan, const OdometryResult& result, std::uint64_t points) {
+std::vector<std::byte> scan_message(const Scan& scan, const OdometryResult& result, std::uint64_t points,
+                                    const std::string& frame) {
   const PointCloud& cloud = result.filtered;
-  const PointCloud seen = seen_at_once(select(cloud, thinned(cloud.size(), points)), scan, result);
-  return serialize_point_cloud2({result.stamp, kLidar, to_records(seen)}, Serialization::cdr);
+  const PointCloud seen = seen_at_once(select(cloud, thinned_indices(cloud.size(), points)), scan, result);
+  return serialize_point_cloud2({result.stamp, frame, to_records(seen)}, Serialization::cdr);
 }
 
 std::vector<std::byte> tf_message(const StampedPose& pose, const RunFrames& frames) {
@@ -87,7 +83,7 @@ std::vector<std::byte> tf_message(const StampedPose& pose, const RunFrames& fram
   std::vector<StampedTransform> transforms;
   if (frames.T_map_odom) transforms.push_back({pose.stamp, {Frames{}.world, names.world}, *frames.T_map_odom});
   transforms.push_back({pose.stamp, names, pose_of_base(pose.T_world_lidar, frames.T_base_lidar)});
-  if (frames.T_base_lidar) transforms.push_back({pose.stamp, {names.body, kLidar}, *frames.T_base_lidar});
+  if (frames.T_base_lidar) transforms.push_back({pose.stamp, {names.body, body_of({})}, *frames.T_base_lidar});
   return serialize_tf(transforms);
 }
 
@@ -100,11 +96,11 @@ std::vector<std::byte> path_message(const Trajectory& poses, const RunFrames& fr
   return serialize_path(poses_of_base(poses, frames.T_base_lidar), names_in(frames));
 }
 
-std::vector<std::byte> map_message(double stamp, PointRecords map, const RunFrames& frames) {
-  return serialize_point_cloud2({stamp, names_in(frames).world, std::move(map)}, Serialization::cdr);
+std::vector<std::byte> map_message(double stamp, PointRecords map, const std::string& frame) {
+  return serialize_point_cloud2({stamp, frame, std::move(map)}, Serialization::cdr);
 }
 
-std::vector<std::byte> diagnostics_message(const ScanRow& row) {
+Diagnostic track_diagnostic(const ScanRow& row) {
   const std::string state(names_of(row.track.state)[std::size_t(row.track.state)]);
   const std::string reason(names_of(row.track.reason)[std::size_t(row.track.reason)]);
   Diagnostic diagnostic{row.stamp, level_of(row.track.state), "tilth: track", state, {}};
@@ -117,7 +113,19 @@ std::vector<std::byte> diagnostics_message(const ScanRow& row) {
                        {"matches", std::to_string(row.matches)},
                        {"candidates", std::to_string(row.candidates)},
                        {"degenerate_directions", std::to_string(row.degenerate_directions)}};
-  return serialize_diagnostic(diagnostic);
+  return diagnostic;
+}
+
+std::vector<std::byte> diagnostics_message(const ScanRow& row) {
+  return serialize_diagnostic(track_diagnostic(row));
+}
+
+Trajectory thinned(const Trajectory& poses, std::size_t most) {
+  const std::size_t every = std::max<std::size_t>(1, poses.size() / most);
+  Trajectory some;
+  for (std::size_t i = 0; i < poses.size(); i += every) some.push_back(poses[i]);
+  if (!poses.empty() && some.back().stamp != poses.back().stamp) some.push_back(poses.back());
+  return some;
 }
 
 std::vector<std::byte> diagnostics_message(const LocalizationRow& row) {

@@ -12,6 +12,8 @@
 
 #include <tilth/core/point_records.hpp>
 #include <tilth/core/trajectory.hpp>
+#include <tilth/messages/diagnostic_message.hpp>
+#include <tilth/messages/pose_message.hpp>
 #include <tilth/messages/ros2_definitions.hpp>
 #include <tilth/run/run_record.hpp>
 
@@ -39,22 +41,29 @@ struct RunFrames {
 
 RunFrames frames_of(const RunRecord& record);
 
+/// Those of poses, and of what is seen from them.
+Frames names_in(const RunFrames& frames);
+
 /// [ns] since 1970 of a stamp; 0 before.
 std::uint64_t nanoseconds(double stamp);
 
 /// All throw Error where a stamp lies outside [0, 2^32 - 1) s. Poses of the LiDAR go in, those of the body come out.
 /// The scan is as the sensor would have seen it all at once at the stamp of its pose, in its own frame, without
 /// outliers: every n-th point, so that no more than `points` remain.
-std::vector<std::byte> scan_message(const Scan& scan, const OdometryResult& result, std::uint64_t points);
+std::vector<std::byte> scan_message(const Scan& scan, const OdometryResult& result, std::uint64_t points,
+                                    const std::string& frame = "lidar");
 std::vector<std::byte> tf_message(const StampedPose& pose, const RunFrames& frames);
 std::vector<std::byte> odometry_message(const StampedPose& pose, const Matrix6d& covariance, const RunFrames& frames);
 std::vector<std::byte> path_message(const Trajectory& poses, const RunFrames& frames);
-std::vector<std::byte> map_message(double stamp, PointRecords map, const RunFrames& frames);
+std::vector<std::byte> map_message(double stamp, PointRecords map, const std::string& frame);
 
 /// The state of the track, and what the scan took and gave.
+Diagnostic track_diagnostic(const ScanRow& row);
 std::vector<std::byte> diagnostics_message(const ScanRow& row);
 
 /// How well the place in a saved map is known.
 std::vector<std::byte> diagnostics_message(const LocalizationRow& row);
+/// Every n-th pose and the last, so that about `most` remain.
+Trajectory thinned(const Trajectory& poses, std::size_t most);
 
 }  // namespace tilth

@@ -53,6 +53,11 @@ Pose LoopClosingThread::T_map_odom() const {
   return T_map_odom_;
 }
 
+LoopsSoFar LoopClosingThread::so_far() const {
+  const std::lock_guard lock(mutex_);
+  return so_far_;
+}
+
 LoopTimes LoopClosingThread::times() const {
   const std::lock_guard lock(mutex_);
   return times_;
@@ -81,7 +86,8 @@ void LoopClosingThread::work() {
     times_.detection_ms += spent.detection_ms, times_.verification_ms += spent.verification_ms;
     times_.graph_ms += spent.graph_ms;
     times_.longest_wait_ms = std::max(times_.longest_wait_ms, spent.longest_wait_ms);
-    if (!closer_.poses().empty())
+    so_far_ = {closer_.optimizations(), closer_.poses()};
+    if (so_far_.optimizations > 0)
       T_map_odom_ = normalized(closer_.poses().back() * closer_.keyframes().back().T_odometry_lidar.inverse());
     changed_.notify_all();
   }

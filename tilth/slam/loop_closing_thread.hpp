@@ -10,10 +10,17 @@
 #include <mutex>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <tilth/slam/loop_closer.hpp>
 
 namespace tilth {
+
+/// What is known of the keyframes worked off so far.
+struct LoopsSoFar {
+  int optimizations = 0;
+  std::vector<Pose> poses = {};  ///< T_map_lidar
+};
 
 /// What closing loops has cost so far, beside the scans.
 struct LoopTimes {
@@ -40,9 +47,11 @@ class LoopClosingThread {
   /// Throws what a keyframe threw.
   LoopCloser& closer();
 
-  /// What the loops closed so far make of odometry's newest pose: T_map_lidar = T_map_odom * T_odom_lidar.
+  /// What the loops closed so far make of odometry's newest pose: T_map_lidar = T_map_odom * T_odom_lidar. The identity
+  /// to the bit until something was optimised.
   Pose T_map_odom() const;
 
+  LoopsSoFar so_far() const;
   LoopTimes times() const;
 
  private:
@@ -62,6 +71,7 @@ class LoopClosingThread {
   std::condition_variable changed_;
   std::deque<Waiting> waiting_;
   bool busy_ = false, ends_ = false;
+  LoopsSoFar so_far_;
   Pose T_map_odom_ = Pose::Identity();
   LoopTimes times_;
   std::exception_ptr failure_;

@@ -30,9 +30,10 @@ void Slam::add_way(const OdometryResult& result) {
 
 /// Far enough from the last one, or the first of a map; never a scan of which nothing was found.
 bool Slam::makes_keyframe(const OdometryResult& result) const {
-  if (!T_odometry_keyframe_ || begins_map(result)) return true;
+  if (keyframe_scans_.empty() || begins_map(result)) return true;
   if (result.track.reason == TrackReason::too_few_matches) return false;
-  return is_keyframe(T_odometry_keyframe_->inverse() * result.T_world_lidar, keyframe_options_);
+  const Pose& T_odometry_keyframe = trajectory_[keyframe_scans_.back()].T_world_lidar;
+  return is_keyframe(T_odometry_keyframe.inverse() * result.T_world_lidar, keyframe_options_);
 }
 
 void Slam::add_keyframe(const OdometryResult& result, double scan_stamp) {
@@ -44,20 +45,19 @@ void Slam::add_keyframe(const OdometryResult& result, double scan_stamp) {
   keyframe.severed = severed_;
   covariance_.setZero();
   severed_ = false;
-  T_odometry_keyframe_ = keyframe.T_odometry_lidar;
+  keyframe_scans_.push_back(keyframe.scan);
   thread_.add(std::move(keyframe));
 }
 
-Trajectory Slam::trajectory() const {
-  const LoopCloser& closer = loops();
-  const std::vector<Keyframe>& keyframes = closer.keyframes();
+Trajectory Slam::moved_along(const std::vector<Pose>& T_map_keyframes) const {
   Trajectory corrected = trajectory_;
   const auto by_keyframe = [&](std::size_t k, std::size_t scan) -> Pose {
-    return closer.poses()[k] * (keyframes[k].T_odometry_lidar.inverse() * trajectory_[scan].T_world_lidar);
+    const Pose& T_odometry_keyframe = trajectory_[keyframe_scans_[k]].T_world_lidar;
+    return T_map_keyframes[k] * (T_odometry_keyframe.inverse() * trajectory_[scan].T_world_lidar);
   };
-  for (std::size_t k = 0; k < keyframes.size(); ++k) {
-    const bool last = k + 1 == keyframes.size();
-    const std::size_t begin = keyframes[k].scan, end = last ? corrected.size() : keyframes[k + 1].scan;
+  for (std::size_t k = 0; k < T_map_keyframes.size(); ++k) {
+    const bool last = k + 1 == T_map_keyframes.size();
+    const std::size_t begin = keyframe_scans_[k], end = last ? corrected.size() : keyframe_scans_[k + 1];
     for (std::size_t i = begin; i < end; ++i) {
       const double ratio = double(i - begin) / double(end - begin);
       const Pose before = by_keyframe(k, i), after = last ? before : by_keyframe(k + 1, i);
@@ -65,6 +65,15 @@ Trajectory Slam::trajectory() const {
     }
   }
   return corrected;
+}
+
+Trajectory Slam::trajectory() const {
+  return moved_along(loops().poses());
+}
+
+Trajectory Slam::trajectory_so_far() const {
+  const LoopsSoFar known = thread_.so_far();
+  return known.optimizations > 0 ? moved_along(known.poses) : trajectory_;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> Slam::joined_scans() const {

@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -41,6 +40,11 @@ class Slam : public Odometry {
   /// What the loops closed so far make of odometry's newest pose: T_map_lidar = T_map_odom * T_odom_lidar.
   Pose T_map_odom() const { return thread_.T_map_odom(); }
 
+  /// Every registered scan as the loops closed so far have it, moved along with the keyframes before and after it; that
+  /// of odometry to the bit until something was optimised. O(scans).
+  Trajectory trajectory_so_far() const;
+  bool corrected_so_far() const { return thread_.so_far().optimizations > 0; }
+
   LoopTimes loop_times() const { return thread_.times(); }
 
   /// All below wait until the loops of every keyframe so far are closed.
@@ -50,7 +54,7 @@ class Slam : public Odometry {
   /// The last optimisation, with all closures.
   void finish() { loops().optimize(); }
 
-  /// Every registered scan, moved along with the keyframes before and after it.
+  /// Every registered scan, corrected.
   Trajectory trajectory() const;
 
   /// The scans [first, last) of each map that was begun after a loss and has been joined to the first one.
@@ -66,8 +70,10 @@ class Slam : public Odometry {
 
   std::unique_ptr<Odometry> odometry_;
   KeyframeOptions keyframe_options_;
+  Trajectory moved_along(const std::vector<Pose>& T_map_keyframes) const;
+
   Trajectory trajectory_;
-  std::optional<Pose> T_odometry_keyframe_;  // the newest one
+  std::vector<std::size_t> keyframe_scans_;  // numbers of the registered scans
   double path_ = 0.0;                        // [m]
   double known_until_ = 0.0;                 // [s] stamp of the last pose that is believed
   bool severed_ = false;                     // since the last keyframe

@@ -8,6 +8,7 @@ namespace tilth {
 namespace {
 
 constexpr std::size_t kDecidingScans = 8;
+constexpr std::size_t kMostUnreadable = 50;  ///< at the begin of what comes live: then it is said, not waited for ever
 
 std::string fields_line(const PointRecords& records) {
   std::string text;
@@ -19,7 +20,7 @@ std::string fields_line(const PointRecords& records) {
 }  // namespace
 
 RecordedSource::RecordedSource(RecordReader reader, const RecordingTraits& traits, std::vector<std::string> decisions,
-                               std::optional<std::size_t> size)
+                               std::optional<std::size_t> size, StampTrust trust)
     : reader_(std::move(reader)), turns_(traits.times == CloudTimes::none), size_(size) {
   std::vector<StampedRecords> readable;
   std::vector<StampReading> readings;
@@ -32,10 +33,11 @@ RecordedSource::RecordedSource(RecordReader reader, const RecordingTraits& trait
     else if (problem.empty())
       problem = record->where + ": " + record->problem;
     first_.push_back(std::move(*record));
+    if (trust == StampTrust::believed && readable.empty() && first_.size() == kMostUnreadable) break;
   }
   if (readable.empty()) throw Error("recording", problem.empty() ? "holds no scan" : "no scan can be read; " + problem);
   contents_.push_back(fields_line(readable.front().records));
-  stamps_.emplace(readings);
+  stamps_.emplace(readings, trust);
   stamps_->set_stamps(readable);
   decoder_.emplace(readable, stamps_->traits(traits));
   auto mended = readable.begin();

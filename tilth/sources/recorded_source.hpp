@@ -33,7 +33,7 @@ class RecordedSource : public ScanSource {
  public:
   /// Reads the first records to decide what their fields mean. Throws Error where none of them can be read.
   RecordedSource(RecordReader reader, const RecordingTraits& traits, std::vector<std::string> decisions,
-                 std::optional<std::size_t> size);
+                 std::optional<std::size_t> size, StampTrust trust = StampTrust::judged);
 
   void add_contents(std::vector<std::string> lines);  ///< before the fields'
 

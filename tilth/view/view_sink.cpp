@@ -15,15 +15,6 @@ constexpr std::size_t kMapPoints = 100'000;
 constexpr std::size_t kPathPoses = 5000;
 constexpr double kBetweenWholes = 2.0;  // [s] from one path and map to the next
 
-/// Every n-th pose and the last.
-Trajectory thinned(const Trajectory& poses) {
-  const std::size_t every = std::max<std::size_t>(1, poses.size() / kPathPoses);
-  Trajectory some;
-  for (std::size_t i = 0; i < poses.size(); i += every) some.push_back(poses[i]);
-  if (!poses.empty() && some.back().stamp != poses.back().stamp) some.push_back(poses.back());
-  return some;
-}
-
 }  // namespace
 
 void ViewSink::take(const Scan& scan, const OdometryResult& result, const RunRecord& record) {
@@ -59,8 +50,10 @@ void ViewSink::send_whole(const RunRecord& record, double stamp) {
   const bool path = server_->wanted(RunTopic::path), map = server_->wanted(RunTopic::map);
   if (!path && !map) return;
   const RunFrames frames = frames_of(record);
-  if (path) server_->send(RunTopic::path, stamp, path_message(thinned(record.trajectory), frames));
-  if (map) server_->send(RunTopic::map, stamp, map_message(stamp, record.map.thinned_records(kMapPoints), frames));
+  if (path) server_->send(RunTopic::path, stamp, path_message(thinned(record.trajectory, kPathPoses), frames));
+  if (map)
+    server_->send(RunTopic::map, stamp,
+                  map_message(stamp, record.map.thinned_records(kMapPoints), names_in(frames).world));
   since_whole_ = Stopwatch();
   sent_whole_ = true;
 }

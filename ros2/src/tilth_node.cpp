@@ -1,0 +1,183 @@
+// tilth_node: a SlamNode (tilth/node) on rcl, and so on whatever middleware the user runs. docs/ros.md.
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <diagnostic_msgs/msg/diagnostic_array.h>
+#include <exception>
+#include <nav_msgs/msg/odometry.h>
+#include <nav_msgs/msg/path.h>
+#include <rcutils/logging_macros.h>
+#include <rosgraph_msgs/msg/clock.h>
+#include <sensor_msgs/msg/point_cloud2.h>
+#include <std_srvs/srv/trigger.h>
+#include <tf2_msgs/msg/tf_message.h>
+
+#include "parameters.hpp"
+#include <tilth/core/error.hpp>
+#include <tilth/messages/ros_message.hpp>
+#include <tilth/node/node_options.hpp>
+#include <tilth/node/slam_node.hpp>
+
+namespace tilth::ros2 {
+namespace {
+
+TILTH_ROS2_SERVICE(std_srvs, Trigger);
+
+constexpr std::int64_t kLongestWait = 100'000'000;  // [ns]
+constexpr std::size_t kLeastDepth = 10;             // of clouds that came at once
+
+volatile std::sig_atomic_t interrupted = 0;
+
+const rosidl_message_type_support_t* type_of(NodeTopic topic) {
+  switch (topic) {
+    case NodeTopic::odometry: return ROSIDL_GET_MSG_TYPE_SUPPORT(nav_msgs, msg, Odometry);
+    case NodeTopic::tf:
+    case NodeTopic::tf_static: return ROSIDL_GET_MSG_TYPE_SUPPORT(tf2_msgs, msg, TFMessage);
+    case NodeTopic::path: return ROSIDL_GET_MSG_TYPE_SUPPORT(nav_msgs, msg, Path);
+    case NodeTopic::scan:
+    case NodeTopic::map: return ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, PointCloud2);
+    case NodeTopic::diagnostics: break;
+  }
+  return ROSIDL_GET_MSG_TYPE_SUPPORT(diagnostic_msgs, msg, DiagnosticArray);
+}
+
+rmw_qos_profile_t quality_of(const PublishedTopic& topic) {
+  rmw_qos_profile_t qos = rmw_qos_profile_default;
+  qos.depth = topic.topic == NodeTopic::tf ? 100 : 10;
+  if (topic.latched) qos.depth = 1, qos.durability = RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL;
+  return qos;
+}
+
+class RclOutlet final : public NodeOutlet {
+ public:
+  explicit RclOutlet(RclNode& node) : node_(node) {
+    for (const PublishedTopic& topic : node_topics())
+      topics_.push_back(std::make_unique<MessagePublisher>(node, type_of(topic.topic), topic.name, quality_of(topic)));
+  }
+
+  void publish(NodeTopic topic, std::span<const std::byte> message) override {
+    try {
+      of(topic).publish(message);
+    } catch (const Error& error) {
+      warn(error.what());  // a message less: the run goes on
+    }
+  }
+  bool wanted(NodeTopic topic) override { return of(topic).listeners() > 0; }
+  void note(const std::string& sentence) override { RCUTILS_LOG_INFO_NAMED(node_.logger(), "%s", sentence.c_str()); }
+  void warn(const std::string& sentence) override { RCUTILS_LOG_WARN_NAMED(node_.logger(), "%s", sentence.c_str()); }
+
+ private:
+  MessagePublisher& of(NodeTopic topic) { return *topics_[std::size_t(topic)]; }
+
+  RclNode& node_;
+  std::vector<std::unique_ptr<MessagePublisher>> topics_;  // by NodeTopic
+};
+
+/// What comes in: clouds, the clock of a simulation or recording, and what services are asked for.
+class Inlet {
+ public:
+  Inlet(RclNode& node, const StartParameters& parameters, SlamNode& slam, RclOutlet& outlet)
+      : node_(node), sim_time_(parameters.use_sim_time), slam_(slam), outlet_(outlet) {
+    const auto options = node_parameters(parameters.values);
+    const auto value = [&](const std::string& key) {
+      return std::find_if(options.begin(), options.end(), [&](const OptionInfo& o) { return o.key == key; })->value;
+    };
+    rmw_qos_profile_t qos = rmw_qos_profile_sensor_data;
+    qos.depth = std::max(kLeastDepth, std::stoul(value("queue")));
+    if (value("reliable") == "true") qos.reliability = RMW_QOS_POLICY_RELIABILITY_RELIABLE;
+    points_ = std::make_unique<MessageSubscription>(node, ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, PointCloud2),
+                                                    "points", qos);
+    qos = rmw_qos_profile_sensor_data, qos.depth = 1;
+    if (sim_time_)
+      clock_ = std::make_unique<MessageSubscription>(node, ROSIDL_GET_MSG_TYPE_SUPPORT(rosgraph_msgs, msg, Clock),
+                                                     "/clock", qos);
+    services_ = parameter_services(node, options, sim_time_);
+    add_trigger("~/save_map", [this] { return slam_.save_map(); });
+    add_trigger("~/reset", [this] {
+      slam_.reset();
+      return std::string("begins anew with the next clouds");
+    });
+  }
+
+  /// Hands over what comes, until the program is interrupted.
+  void run() {
+    rcl_wait_set_t waiting = rcl_get_zero_initialized_wait_set();
+    check(rcl_wait_set_init(&waiting, 2, 0, 0, 0, services_.size(), 0, node_.context(), rcl_get_default_allocator()),
+          "wait set");
+    while (interrupted == 0) {
+      try {
+        wait(waiting);
+      } catch (const Error& error) {
+        outlet_.warn(error.what());
+      }
+    }
+    check(rcl_wait_set_fini(&waiting), "wait set");
+  }
+
+ private:
+  void add_trigger(const std::string& name, std::function<std::string()> act) {
+    services_.push_back(std::make_unique<TypedService<TriggerService>>(
+        node_, name, [act = std::move(act)](const auto&, auto& response) {
+          try {
+            assign(response.message, act());
+            response.success = true;
+          } catch (const std::exception& error) {
+            assign(response.message, error.what());
+          }
+        }));
+  }
+
+  void wait(rcl_wait_set_t& waiting) {
+    check(rcl_wait_set_clear(&waiting), "wait set");
+    check(rcl_wait_set_add_subscription(&waiting, points_->get(), nullptr), "wait set");
+    if (clock_) check(rcl_wait_set_add_subscription(&waiting, clock_->get(), nullptr), "wait set");
+    for (const auto& service : services_)
+      check(rcl_wait_set_add_service(&waiting, service->get(), nullptr), "wait set");
+    const rcl_ret_t result = rcl_wait(&waiting, kLongestWait);
+    if (result == RCL_RET_TIMEOUT) return;
+    check(result, "wait set");
+    if (clock_)
+      for (std::vector<std::byte> time = clock_->take(); !time.empty(); time = clock_->take())
+        time_ = RosMessageReader(time, Serialization::cdr, "Clock").time("clock");
+    for (std::vector<std::byte> cloud = points_->take(); !cloud.empty(); cloud = points_->take()) {
+      slam_.lose(points_->lost());
+      slam_.take(std::move(cloud), now());
+    }
+    for (std::size_t i = 0; i < services_.size(); ++i)
+      if (waiting.services[i] != nullptr) services_[i]->answer();
+  }
+
+  std::uint64_t now() const {
+    if (sim_time_) return std::uint64_t(time_ * 1e9);
+    rcutils_time_point_value_t time = 0;
+    check(rcutils_system_time_now(&time), "clock");
+    return std::uint64_t(time);
+  }
+
+  RclNode& node_;
+  bool sim_time_;
+  SlamNode& slam_;
+  RclOutlet& outlet_;
+  double time_ = 0.0;  // [s] of /clock
+  std::unique_ptr<MessageSubscription> points_, clock_;
+  std::vector<std::unique_ptr<ServiceServer>> services_;
+};
+
+}  // namespace
+}  // namespace tilth::ros2
+
+int main(int count, char** arguments) {
+  using namespace tilth::ros2;
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { interrupted = 1; });
+  try {
+    RclNode node(count, arguments, "tilth");
+    const StartParameters parameters = read_parameters(node);
+    RclOutlet outlet(node);
+    tilth::SlamNode slam(parameters.values, outlet);
+    Inlet(node, parameters, slam, outlet).run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tilth_node: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

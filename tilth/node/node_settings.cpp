@@ -1,0 +1,50 @@
+#include <iterator>
+#include <utility>
+
+#include <tilth/node/node_settings.hpp>
+#include <tilth/odometry/make_odometry.hpp>
+#include <tilth/run/base_frame.hpp>
+
+namespace tilth {
+namespace {
+
+/// The options of one stage, taken out of `values`.
+template <Options O>
+O taken(OptionValues& values) {
+  OptionValues own;
+  for (const OptionInfo& option : describe(O{}))
+    if (auto value = values.extract(option.key)) own.insert(std::move(value));
+  return with<O>(std::move(own));
+}
+
+void append(std::vector<OptionInfo> some, std::vector<OptionInfo>& all) {
+  std::move(some.begin(), some.end(), std::back_inserter(all));
+}
+
+}  // namespace
+
+NodeSettings read_settings(OptionValues values) {
+  NodeSettings settings;
+  settings.node = taken<NodeOptions>(values);
+  settings.clouds = taken<CloudOptions>(values);
+  settings.map = taken<MapOptions>(values);
+  settings.slam = taken<SlamOptions>(values);
+  if (settings.node.pipeline.empty()) settings.node.pipeline = pipelines().front().name;
+  const std::string& mount = settings.node.base_from_lidar;
+  if (!mount.empty()) settings.T_base_lidar = parse_mount(mount);
+  make_odometry(settings.node.pipeline, values);
+  settings.pipeline = std::move(values);
+  return settings;
+}
+
+std::vector<OptionInfo> node_parameters(const OptionValues& values) {
+  const NodeSettings settings = read_settings(values);
+  std::vector<OptionInfo> all = describe(settings.node);
+  append(describe(settings.clouds), all);
+  append(describe(settings.map), all);
+  append(describe_odometry(settings.node.pipeline, settings.pipeline), all);
+  append(describe(settings.slam), all);
+  return all;
+}
+
+}  // namespace tilth

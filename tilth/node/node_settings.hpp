@@ -1,0 +1,26 @@
+// The parameters of a node, each read where it belongs.
+#pragma once
+
+#include <optional>
+
+#include <tilth/core/se3.hpp>
+#include <tilth/node/node_options.hpp>
+#include <tilth/run/map_builder.hpp>
+#include <tilth/sensor/scan_decoder.hpp>
+#include <tilth/slam/slam.hpp>
+
+namespace tilth {
+
+struct NodeSettings {
+  NodeOptions node;
+  CloudOptions clouds;
+  MapOptions map;
+  SlamOptions slam;
+  OptionValues pipeline;  ///< of the pipeline that `node` names
+  std::optional<Pose> T_base_lidar;
+};
+
+/// Throws Error as node_parameters() does.
+NodeSettings read_settings(OptionValues values);
+
+}  // namespace tilth

@@ -1,0 +1,49 @@
+// SLAM as a node of a robot, without its middleware: PointCloud2 messages in, odometry, transforms, path, scan, map and
+// diagnostics out, as the NodeOutlet takes them. ros2/ carries both over rcl.
+//
+//   SlamNode node({{"base_from_lidar", "0.2,0,0.5,0,0,0"}}, outlet);
+//   node.take(bytes, arrival);
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <tilth/core/options.hpp>
+#include <tilth/node/node_outlet.hpp>
+
+namespace tilth {
+
+class SlamNode {
+ public:
+  /// `parameters` as node_parameters() lists them; throws alike. `outlet` must outlive the node, and hears from it in
+  /// threads of its own until it is destroyed.
+  SlamNode(const OptionValues& parameters, NodeOutlet& outlet);
+  ~SlamNode();
+  SlamNode(const SlamNode&) = delete;
+  SlamNode& operator=(const SlamNode&) = delete;
+
+  /// A sensor_msgs/PointCloud2 in CDR that came at `arrival` [ns]. Never waits. The first eight decide what its fields
+  /// mean (docs/formats/time_and_ring.md), and are registered then. What cannot be read is left out, and said. Where
+  /// stamps fall back by more than a second, it begins anew.
+  void take(std::vector<std::byte> cloud, std::uint64_t arrival);
+
+  /// So many clouds were lost before the next one, says the middleware.
+  void lose(std::size_t count);
+
+  /// Forgets map and way, and begins anew with the next clouds.
+  void reset();
+
+  /// Writes map.pcd and trajectory.tum into the folder `save_map`, with loop closure also the map that `tilth localize`
+  /// takes, in its folder `places`. Registration waits meanwhile. Returns what was written, as a sentence. Throws Error
+  /// where there is nothing to write, or it cannot be written.
+  std::string save_map();
+
+ private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace tilth
