@@ -50,18 +50,19 @@ def by_fish(script, line):
 
 def by_zsh(script, line):
     """Types the line and a tab into a zsh of its own, whose completion lists what it would offer one a line."""
-    typed = (f"autoload -Uz compinit; compinit -D -u; source {script}; zmodload zsh/zpty; zmodload zsh/complist\n"
-             "zstyle ':completion:*' list-separator '##'; LISTMAX=0\n"
+    typed = (f"autoload -Uz compinit; compinit -D -u; source {script}; LISTMAX=0\n"
              "compadd() { local -a words; [[ ${@[1,(i)(-|--)]} == *-(O|A|D)* ]] && { builtin compadd \"$@\"; return }\n"
-             "  builtin compadd -A words \"$@\"; print -rl -- $words >> $OFFERED; builtin compadd \"$@\" }\n")
+             "  builtin compadd -A words \"$@\"; print -rl -- $words >> offered; builtin compadd \"$@\" }\n"
+             "complete_and_tell() { zle complete-word; : > told }; zle -N complete_and_tell; bindkey '^I' complete_and_tell\n"
+             "precmd() { : > ready }\n")
+    driver = ('zmodload zsh/zpty; zpty -b shell "ZDOTDIR=$1 zsh -i"\n'
+              "wait_for() { until [[ -e $1 ]]; do zpty -r -t shell said; sleep 0.05; done }\n"
+              "wait_for ready; zpty -w -n shell \"$2\"$'\\t'; wait_for told; zpty -d shell")
     with tempfile.TemporaryDirectory() as folder:
-        offered = Path(folder) / "offered"
-        offered.touch()
         (Path(folder) / ".zshrc").write_text(typed)
-        driver = ('zmodload zsh/zpty; zpty shell "ZDOTDIR=$1 OFFERED=$1/offered zsh -i"; sleep 1; zpty -w -n shell "$2"$\'\\t\'; '
-                  "sleep 1.5; zpty -d shell")
+        (Path(folder) / "offered").touch()
         said("zsh", "-fc", driver, "zsh", folder, line, cwd=folder)
-        return offered.read_text().split()
+        return (Path(folder) / "offered").read_text().split()
 
 
 def check_shell(name, complete, program, folder):
