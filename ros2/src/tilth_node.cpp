@@ -41,9 +41,11 @@ const rosidl_message_type_support_t* type_of(NodeTopic topic) {
   return ROSIDL_GET_MSG_TYPE_SUPPORT(diagnostic_msgs, msg, DiagnosticArray);
 }
 
+/// A hundred of what comes with every scan and is small are kept for those who are slow to hear.
 rmw_qos_profile_t quality_of(const PublishedTopic& topic) {
+  const bool large = topic.topic == NodeTopic::scan || topic.topic == NodeTopic::path;
   rmw_qos_profile_t qos = rmw_qos_profile_default;
-  qos.depth = topic.topic == NodeTopic::tf ? 100 : 10;
+  qos.depth = large ? 10 : 100;
   if (topic.latched) qos.depth = 1, qos.durability = RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL;
   return qos;
 }

@@ -134,7 +134,10 @@ void NodeSink::send_map(const RunRecord& record) {
       });
 }
 
-void NodeSink::finish(const RunRecord&) {
+void NodeSink::finish(const RunRecord& record) {
+  if (record.trajectory.empty()) return;
+  if (map_.valid()) map_.get();
+  send_path_and_map(record);
   if (map_.valid()) map_.get();
 }
 

@@ -29,7 +29,7 @@ class NodeSink final : public Sink {
   NodeSink(const Surroundings& around, std::string lidar_frame);
 
   void take(const Scan& scan, const OdometryResult& result, const RunRecord& record) override;
-  void finish(const RunRecord& record) override;  ///< waits for the map that is on its way
+  void finish(const RunRecord& record) override;  ///< sends path and map once more
 
  private:
   void send_pose(const RunRecord& record);

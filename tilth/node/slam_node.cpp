@@ -68,11 +68,15 @@ class SlamNode::Work {
 
   ~Work() {
     thread_.request_stop();
-    inbox()->close();
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+    inbox_->close();
   }
 
-  std::shared_ptr<CloudInbox> inbox() const {
+  /// That of the next session, where the last one is over or about to be.
+  std::shared_ptr<CloudInbox> inbox() {
     const std::lock_guard lock(mutex_);
+    if (inbox_->closed() && !stopping_) inbox_ = std::make_shared<CloudInbox>(settings_.node.queue);
     return inbox_;
   }
 
@@ -93,8 +97,6 @@ class SlamNode::Work {
       if (!clouds->closed()) outlet_.warn("begins anew: " + std::string(error.what()));
     }
     clouds->close();
-    const std::lock_guard lock(mutex_);
-    inbox_ = std::make_shared<CloudInbox>(settings_.node.queue);
   }
 
   void run(const std::shared_ptr<CloudInbox>& clouds) {
@@ -152,8 +154,9 @@ class SlamNode::Work {
   SessionDoor door_;
   Session* session_ = nullptr;  // behind the door, as what follows
   Slam* slam_ = nullptr;
-  mutable std::mutex mutex_;
+  std::mutex mutex_;  // of what follows
   std::shared_ptr<CloudInbox> inbox_;
+  bool stopping_ = false;
   std::jthread thread_;  // last: it uses the members above
 };
 
