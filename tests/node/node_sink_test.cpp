@@ -14,6 +14,19 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+/// Scans that come as slowly as their loops are closed.
+class UnhurriedScans : public ScanList {
+ public:
+  UnhurriedScans(std::vector<Scan> scans, const Slam& slam) : ScanList(std::move(scans)), slam_(slam) {}
+  std::optional<Scan> next() override {
+    slam_.loops();
+    return ScanList::next();
+  }
+
+ private:
+  const Slam& slam_;
+};
+
 /// There and back through a corridor, with an odometry that drifts.
 class LoopedRun {
  public:
@@ -27,7 +40,8 @@ class LoopedRun {
     auto slam = std::make_unique<Slam>(
         std::make_unique<DriftingOdometry>(simulator_, Drift{.scale = 0.005, .turn = 0.001}), settings_.slam);
     slam_ = slam.get();
-    session_ = std::make_unique<Session>(std::make_unique<ScanList>(std::move(scans)), Pipeline{std::move(slam)});
+    session_ = std::make_unique<Session>(std::make_unique<UnhurriedScans>(std::move(scans), *slam_),
+                                         Pipeline{std::move(slam)});
     session_->add(std::make_unique<NodeSink>(NodeSink::Surroundings{settings_, inbox_, slam_, kept}, "velodyne"));
     session_->run();
     EXPECT_TRUE(session_->finish().empty());

@@ -137,6 +137,7 @@ void NodeSink::send_map(const RunRecord& record) {
 void NodeSink::finish(const RunRecord& record) {
   if (record.trajectory.empty()) return;
   if (map_.valid()) map_.get();
+  if (around_.slam != nullptr) around_.slam->loops();  // until all are closed
   send_path_and_map(record);
   if (map_.valid()) map_.get();
 }
