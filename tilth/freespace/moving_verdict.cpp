@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <tilth/freespace/moving_points.hpp>
@@ -101,14 +102,15 @@ void MovingPoints::vote(bool first) {
   std::vector<Judgement> next = judgements_;
   std::vector<std::uint32_t> voters, near;
   for (const Block& block : blocks_) {
-    const Around blocks = around(block);
+    std::optional<Around> blocks;
     for (int cell = 0; cell < 64; ++cell) {
       voters.clear();
       for (std::uint32_t t = block.heads[std::size_t(cell)]; t != kNone; t = things_[t].next) {
         if (votes(t)) voters.push_back(t);
       }
       if (voters.empty()) continue;
-      gather(blocks, cell, near);
+      if (!blocks) blocks = around(block);
+      gather(*blocks, cell, near);
       for (const std::uint32_t t : voters) next[t].verdict = verdict_among(t, near, first);
     }
   }
@@ -122,7 +124,8 @@ void MovingPoints::judge(const Eigen::Vector3f& place, float distance) {
     const bool left = distance <= 0 || (away >= distance && away >= things_[t].seen_from + kLeftBehind);
     judgements_[t] = {verdict_alone(things_[t]), left};
   }
-  for (int round = 0; round < kRounds; ++round) vote(round == 0);
+  const bool any = std::any_of(judgements_.begin(), judgements_.end(), [](const Judgement& j) { return j.judged; });
+  for (int round = 0; any && round < kRounds; ++round) vote(round == 0);
 }
 
 std::vector<std::uint32_t> MovingPoints::forget(const Eigen::Vector3f& place, float distance) {
