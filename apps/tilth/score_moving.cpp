@@ -90,7 +90,7 @@ void add_score_moving(CLI::App& app, int&) {
       app.add_subcommand("score-moving", "Judge what is taken out of the map as moving, where the truth is known");
   const auto arguments = std::make_shared<ScoreMovingArguments>();
   command->add_option("scenes", arguments->scenes, "Scenes of `tilth simulate`")->required();
-  for (const char* key : {"seed", "duration", "people", "sensor", "speed"}) {
+  for (const char* key : {"seed", "duration", "people", "sensor", "speed", "beams"}) {
     command->add_option_function<std::string>(
         std::string("--") + key, [arguments, key](const std::string& text) { arguments->simulation[key] = text; },
         "As `tilth simulate --set` takes it");

@@ -28,6 +28,16 @@ TEST(VoxelSet, HoldsWhatASetOfTheStandardLibraryHolds) {
   EXPECT_FALSE(voxels.insert({3, -4, 5}));
 }
 
+TEST(VoxelSet, TakesVoxelsOutAgain) {
+  VoxelSet voxels;
+  voxels.erase({1, 2, 3});  // is not there
+  EXPECT_TRUE(voxels.insert({1, 2, 3}));
+  EXPECT_TRUE(voxels.insert({1, 2, 4}));
+  voxels.erase({1, 2, 3});
+  EXPECT_TRUE(voxels.insert({1, 2, 3}));
+  EXPECT_FALSE(voxels.insert({1, 2, 4}));
+}
+
 TEST(VoxelSet, TellsVoxelsOnBothSidesOfZeroApart) {
   VoxelSet voxels;
   for (int axis = 0; axis < 3; ++axis) {

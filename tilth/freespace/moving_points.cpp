@@ -1,174 +1,169 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 #include <tilth/freespace/moving_points.hpp>
 
 namespace tilth {
 namespace {
 
-constexpr float kSteps = 256;  // of a mean, in a cell
+constexpr float kFarthest = 1e5F;         // [m]
+constexpr std::size_t kSurfaceEvery = 8;  // of the points of a scan, those that planes are made of
+constexpr std::uint32_t kDelay = 20;      // scans until a thing is looked at: planes about it are known by then
+constexpr std::uint32_t kOldPlane = 15;   // scans from first to last
+constexpr std::uint32_t kCalmEvery = 8;   // scans in which what is calm is looked at
+constexpr float kBelow = 0.1F;            // [m] under a point where the floor that it lies on may be
 
-Eigen::Vector3f mean_of(const VoxelSight& sight, const Eigen::Vector3i& cell, float edge) {
-  const Eigen::Vector3f inside(sight.mean[0], sight.mean[1], sight.mean[2]);
-  return edge * (cell.cast<float>() + (inside.array() + 0.5F).matrix() / kSteps);
+bool is_near(const Eigen::Vector3f& point) {
+  return (point.array().abs() < kFarthest).all();  // false for what is not finite
 }
 
-/// Draws the mean towards another point, of which it is the `count`-th.
-void add_to_mean(VoxelSight& sight, const Eigen::Vector3f& inside, float count) {
-  for (int a = 0; a < 3; ++a) {
-    std::uint8_t& mean = sight.mean[std::size_t(a)];
-    const float moved = float(mean) + (kSteps * inside[a] - 0.5F - float(mean)) / count;
-    mean = std::uint8_t(std::clamp(std::round(moved), 0.0F, kSteps - 1));
-  }
+/// Scans apart up to which a thing is looked at in a scan: many of those near by, ever fewer of those farther off.
+/// Numbers of scans that higher powers of two divide reach farther; odd ones are not looked at.
+std::uint32_t reach_of(std::uint32_t scan) {
+  constexpr std::array<std::uint32_t, 7> kReach{0, 16, 48, 96, 200, 400, 0xFFFFFFFF};
+  return kReach[std::min<std::size_t>(std::size_t(std::countr_zero(scan)), kReach.size() - 1)];
+}
+
+/// What a pass counts: in full through the middle of what is looked at, a quarter at its rim.
+int tenths_of(float miss, float radius) {
+  return int(SeenThing::kPass * std::min(1.0F, 1.25F - miss / radius));
+}
+
+std::size_t bit_of(const Eigen::Vector3i& cell) {
+  return std::size_t((cell.x() & 3) | (cell.y() & 3) << 2 | (cell.z() & 3) << 4);
 }
 
 }  // namespace
 
 MovingPoints::MovingPoints(const MovingOptions& options) : options_(options), edge_(float(2 * options.voxel)) {}
 
-std::vector<std::uint8_t> MovingPoints::add(const SeenScan& scan) {
+std::vector<std::uint32_t> MovingPoints::add(const SeenScan& scan, std::span<const Eigen::Vector3f> points) {
   ++scan_;
   stamps_.push_back(scan.stamp);
-  std::vector<std::uint8_t> anew(scan.points.size(), 0);
-  for (std::size_t i = 0; i < scan.points.size(); ++i) anew[i] = std::uint8_t(hit(scan.points[i]));
-  for (const SightLine& line : scan.lines) follow(line);
-  return anew;
+  find_surfaces(scan);
+  first_of_scan_.push_back(std::uint32_t(things_.size()));
+  std::vector<std::uint32_t> things;
+  things.reserve(points.size());
+  for (const Eigen::Vector3f& point : points) things.push_back(watch(point, scan.place()));
+  const std::uint32_t reach = reach_of(scan_);
+  if (reach > 0) {
+    next_view().take(scan, options_, workspace_);
+    look(views_.back(), reach < scan_ ? first_of_scan_[scan_ - 1 - reach] : 0, looked_);
+  }
+  if (scan_ > kDelay) catch_up(scan_ - kDelay);
+  return things;
 }
 
-MovingPoints::Place MovingPoints::place_of(const Eigen::Vector3f& point) const {
+void MovingPoints::find_surfaces(const SeenScan& scan) {
+  for (std::size_t i = scan_ % kSurfaceEvery; i < scan.points.size(); i += kSurfaceEvery) {
+    const Eigen::Vector3f& p = scan.points[i];
+    if (is_near(p)) blocks_[block_of(p)].surface.add(p, scan_, float(options_.thickness));
+  }
+}
+
+/// The thing at the point, made anew where there is none that stands.
+std::uint32_t MovingPoints::watch(const Eigen::Vector3f& point, const Eigen::Vector3f& place) {
+  if (!is_near(point)) return kNone;
   const Eigen::Vector3f at = point / edge_;
   const Eigen::Vector3i cell = voxel_of(at.cast<double>());
   const Eigen::Vector3f inside = at - cell.cast<float>();
-  const auto upper = [&](int axis) { return std::size_t(inside[axis] >= 0.5F); };
-  return {cell, inside, upper(0) | upper(1) << 1U | upper(2) << 2U};
-}
-
-/// The number of the surface in that block, made where there is none.
-std::uint32_t MovingPoints::surface_of(const Eigen::Vector3f& point, const Eigen::Vector3i& block) {
-  if (last_surface_ != FreeCells::kNone && block == last_block_) return last_surface_;
-  std::uint32_t& number = free_[free_.insert(block)].surfaces;
-  if (number == FreeCells::kNone) {
-    number = std::uint32_t(surfaces_.size());
-    surfaces_.emplace_back(point);
+  const auto upper = [&](int axis) { return inside[axis] >= 0.5F ? 1U << unsigned(axis) : 0U; };
+  SeenThing thing;
+  thing.point = point, thing.born = scan_, thing.voxel = std::uint8_t(upper(0) | upper(1) | upper(2));
+  thing.block = block_of(point), thing.block_below = block_of(point - kBelow * Eigen::Vector3f::UnitZ());
+  thing.seen_from = (point - place).norm();
+  for (std::uint32_t t = blocks_[thing.block].heads[bit_of(cell)]; t != kNone; t = things_[t].next) {
+    if (things_[t].voxel == thing.voxel && !things_[t].gone) return t;
   }
-  last_block_ = block;
-  return last_surface_ = number;
+  judgements_.emplace_back();
+  return insert(thing);
 }
 
-MovingPoints::Cell& MovingPoints::cell_of(std::uint32_t surface, const Eigen::Vector3i& cell) {
-  const int bit = FreeCells::bit_of(cell);
-  std::uint32_t& number = surfaces_[surface].cells[std::size_t(bit)];
-  if (number == SurfaceBlock::kNoCell) {
-    number = std::uint32_t(cells_.size());
-    cells_.emplace_back().place = cell;
-    free_[free_.insert(FreeCells::block_of(cell))].surface |= std::uint64_t{1} << bit;
-  }
-  return cells_[number];
+/// Adds a thing to those of its cell.
+std::uint32_t MovingPoints::insert(const SeenThing& thing) {
+  const auto number = std::uint32_t(things_.size());
+  const std::size_t bit = bit_of(voxel_of((thing.point / edge_).cast<double>()));
+  things_.push_back(thing);
+  things_.back().next = std::exchange(blocks_[thing.block].heads[bit], number);
+  return number;
 }
 
-const MovingPoints::Cell* MovingPoints::find(const Eigen::Vector3i& cell) const {
-  const FreeCells::Block* block = free_.find(FreeCells::block_of(cell));
-  if (block == nullptr || block->surfaces == FreeCells::kNone) return nullptr;
-  const std::uint32_t number = surfaces_[block->surfaces].cells[std::size_t(FreeCells::bit_of(cell))];
-  return number == SurfaceBlock::kNoCell ? nullptr : &cells_[number];
+/// The number of the block that holds a point, made where there is none.
+std::uint32_t MovingPoints::block_of(const Eigen::Vector3f& point) {
+  const Eigen::Vector3i cell = voxel_of((point / edge_).cast<double>());
+  const Eigen::Vector3i place = cell.unaryExpr([](int c) { return c >> 2; });
+  const std::uint32_t number = table_.insert(voxel_key(place, 0));
+  if (number == blocks_.size()) blocks_.push_back({place, SurfaceBlock(point), {}}), blocks_.back().heads.fill(kNone);
+  return number;
 }
 
-bool MovingPoints::hit(const Eigen::Vector3f& point) {
-  if (!(point.cwiseAbs().maxCoeff() < kFarthest)) return false;
-  const Place place = place_of(point);
-  const std::uint32_t surface = surface_of(point, FreeCells::block_of(place.cell));
-  VoxelSight& sight = cell_of(surface, place.cell).voxels[place.voxel];
-  if (sight.last == scan_) return sight.gone == scan_;
-  const bool again = sight.seen() && !sight.vacated(options_);
-  if (again) {
-    constexpr float kLongest = 20;
-    sight.hit(scan_);
-    add_to_mean(sight, place.inside, std::min(kLongest, float(sight.hits)));
-  } else {
-    if (sight.seen()) sight.gone = scan_;
-    sight.begin(scan_,
-                std::uint8_t(sight.seen() ? FreeCells::kMostPasses : passes_before(point, place, surfaces_[surface])));
-    add_to_mean(sight, place.inside, 1);
-  }
-  surfaces_[surface].add(point);
-  return !again && sight.gone == scan_;
-}
-
-/// Beams that passed all about the voxel, as nothing that stands lets them; off a plane, the cell itself suffices.
-int MovingPoints::passes_before(const Eigen::Vector3f& point, const Place& place, const SurfaceBlock& surface) const {
-  int passes = free_.passes(place.cell);
-  if (passes == 0) return 0;
-  constexpr float kWellOff = 1.5F;
-  const auto clearance = float(options_.clearance);
-  if (surface.planar() && std::abs(surface.offset(point)) > kWellOff * clearance) return passes;
-  for (int side = 0; side < 6 && passes > 0; ++side) {
-    Eigen::Vector3i beside = place.cell;
-    beside[side / 2] += side % 2 == 0 ? -1 : 1;
-    passes = std::min(passes, free_.passes(beside));
-  }
-  return passes;
-}
-
-void MovingPoints::follow(const SightLine& line) {
-  const Eigen::Vector3f way = line.point - line.origin;
-  const float length = way.norm();
-  if (!(length < kFarthest) || !(line.origin.cwiseAbs().maxCoeff() < kFarthest)) return;
-  const BeamStretch beam{line.origin, way / length, float(options_.near),
-                         std::min(length - float(options_.margin), float(options_.reach))};
-  Eigen::Vector3i last = Eigen::Vector3i::Constant(std::numeric_limits<int>::max());
-  std::uint32_t number = 0;
-  bool blind = false;
-  walk(beam, edge_, [&](const Eigen::Vector3i& cell, float along) {
-    const Eigen::Vector3i place = FreeCells::block_of(cell);
-    if (place != last) {
-      last = place;
-      number = free_.insert(place);
-      blind = tells_nothing(free_[number], beam, along);
-    }
-    FreeCells::Block& block = free_[number];
-    const int bit = FreeCells::bit_of(cell);
-    block.pass(std::uint64_t{1} << bit);
-    if (blind || (block.surface >> bit & 1U) == 0) return;
-    pass(cells_[surfaces_[block.surfaces].cells[std::size_t(bit)]], beam);
+/// A view for this scan, in the room of one that nothing is looked at in any longer.
+ScanView& MovingPoints::next_view() {
+  const auto old = std::find_if(views_.begin(), views_.end(), [&](const KeptView& kept) {
+    return scan_ - kept.scan > std::min(reach_of(kept.scan), scan_) + kDelay;
   });
+  if (old == views_.end())
+    views_.emplace_back();
+  else
+    std::rotate(old, old + 1, views_.end());
+  views_.back().scan = scan_;
+  return views_.back().view;
 }
 
-/// Whether the beam, which enters the block at `along`, has nothing to say of the voxels in it: it grazes their plane.
-bool MovingPoints::tells_nothing(const FreeCells::Block& block, const BeamStretch& beam, float along) {
-  if (block.surfaces == FreeCells::kNone) return true;
-  SurfaceBlock& surface = surfaces_[block.surfaces];
-  surface.refresh(float(options_.thickness));
-  if (!surface.planar()) return false;
-  const float sine = surface.sine(beam.direction);
-  if (std::abs(sine) >= float(options_.grazing)) return false;
-  const float in = surface.offset(beam.origin) + sine * along, out = in + sine * 4 * edge_;
-  return in * out <= 0 || std::min(std::abs(in), std::abs(out)) < float(options_.clearance);
-}
-
-void MovingPoints::pass(Cell& cell, const BeamStretch& beam) const {
-  const auto radius = float(options_.beam_radius);
-  for (VoxelSight& sight : cell.voxels) {
-    if (!sight.seen() || sight.last == scan_) continue;
-    const Eigen::Vector3f mean = mean_of(sight, cell.place, edge_) - beam.origin;
-    const float along = mean.dot(beam.direction);
-    if (along < beam.end && (mean - along * beam.direction).squaredNorm() < radius * radius) sight.pass(scan_);
+/// Looks at the things that scans up to `scan` saw first, in all that is kept.
+void MovingPoints::catch_up(std::uint32_t scan) {
+  const std::uint32_t end = scan < scan_ ? first_of_scan_[scan] : std::uint32_t(things_.size());
+  if (looked_ == end) return;
+  for (std::uint32_t t = looked_; t < end; ++t) things_[t].calm = on_old_plane(things_[t]);
+  for (const KeptView& kept : views_) {
+    if (kept.scan > scan || scan - kept.scan <= reach_of(kept.scan)) look(kept, looked_, end);
+  }
+  for (; looked_ < end; ++looked_) {
+    if (things_[looked_].last < things_[looked_].born) things_[looked_].meet(things_[looked_].born, options_);
   }
 }
 
-bool MovingPoints::moved(const Eigen::Vector3f& point, std::uint32_t scan) const {
-  if (!(point.cwiseAbs().maxCoeff() < kFarthest)) return false;
-  const Place place = place_of(point);
-  const Cell* cell = find(place.cell);
-  if (cell == nullptr) return false;
-  const VoxelSight& sight = cell->voxels[place.voxel];
-  if (scan < sight.gone) return true;
-  return cell->judged ? cell->verdicts[place.voxel] == Verdict::moved : sight.vacated(options_);
+/// What a scan says of the things from one number to another; scans must come in their order.
+void MovingPoints::look(const KeptView& kept, std::uint32_t from, std::uint32_t to) {
+  const bool calm_as_well = kept.scan % kCalmEvery == 0;
+  std::array<std::uint32_t, ScanView::kBatch> chosen;
+  std::array<Eigen::Vector3f, ScanView::kBatch> places;
+  std::array<Glimpse, ScanView::kBatch> seen;
+  while (from < to) {
+    std::size_t n = 0;
+    for (; from < to && n < chosen.size(); ++from) {
+      const SeenThing& thing = things_[from];
+      if (!thing.gone && (calm_as_well || !thing.calm)) chosen[n] = from, places[n++] = thing.point;
+    }
+    kept.view.look({places.data(), n}, seen);
+    for (std::size_t i = 0; i < n; ++i) note(things_[chosen[i]], kept.scan, seen[i]);
+  }
 }
 
-std::size_t MovingPoints::bytes() const {
-  constexpr std::size_t kTable = 2 * (sizeof(std::int64_t) + sizeof(std::uint64_t));
-  return free_.blocks().size() * (sizeof(FreeCells::Block) + kTable) + surfaces_.size() * sizeof(SurfaceBlock) +
-         cells_.size() * sizeof(Cell);
+void MovingPoints::note(SeenThing& thing, std::uint32_t scan, const Glimpse& seen) {
+  if (thing.last < thing.born && scan > thing.born) thing.meet(thing.born, options_);
+  if (seen.kind == Glimpse::Kind::met || thing.born == scan) {
+    thing.meet(scan, options_);
+    if (thing.met >= 2 * options_.firm_hits && thing.between == 0) thing.calm = true;
+  } else if (seen.kind == Glimpse::Kind::passed && !grazes(thing, seen.direction)) {
+    thing.pass(tenths_of(seen.miss, float(options_.beam_radius)));
+    thing.gone = scan > thing.born && thing.vacated(options_);
+  }
+}
+
+/// Whether a beam by the thing has nothing to say of it: it grazes the plane that it lies in.
+bool MovingPoints::grazes(const SeenThing& thing, const Eigen::Vector3f& direction) const {
+  const auto clearance = float(options_.clearance), sine = float(options_.grazing);
+  return blocks_[thing.block].surface.grazes(thing.point, direction, clearance, sine) ||
+         blocks_[thing.block_below].surface.grazes(thing.point, direction, clearance, sine);
+}
+
+bool MovingPoints::on_old_plane(const SeenThing& thing) const {
+  const auto thickness = float(options_.thickness);
+  return blocks_[thing.block].surface.holds(thing.point, kOldPlane, thickness) ||
+         blocks_[thing.block_below].surface.holds(thing.point, kOldPlane, thickness);
 }
 
 }  // namespace tilth

@@ -1,11 +1,10 @@
 // Points of things that moved, found by the beams that passed where they had been: before they came, or after they had
-// gone. docs/clean_map.md has the rules. A voxel of a surface costs 24 bytes, a block of free space 72; about 0.1 us a
-// point.
+// gone. docs/clean_map.md has the rules. A voxel with a thing costs 70 bytes, a block of space 0.5 kB, a scan that is
+// kept six bytes a beam; about 2 us a voxel.
 //
 //   MovingPoints moving(options);
-//   moving.add(scan);                  // scan after scan, in the world
-//   moving.judge();                    // now and then, then
-//   if (moving.moved(point, scan)) ...
+//   const auto things = moving.add(scan, points);   // scan after scan, in the world; points of it that are to be
+//   judged moving.judge(place, distance);                  // now and then, then if (moving.moved(things[i])) ...
 #pragma once
 
 #include <array>
@@ -13,93 +12,95 @@
 #include <span>
 #include <vector>
 
-#include <tilth/freespace/beam_walk.hpp>
-#include <tilth/freespace/free_cells.hpp>
+#include <tilth/core/voxel_table.hpp>
 #include <tilth/freespace/moving_options.hpp>
+#include <tilth/freespace/scan_view.hpp>
+#include <tilth/freespace/seen_thing.hpp>
 #include <tilth/freespace/surface_block.hpp>
-#include <tilth/freespace/voxel_sight.hpp>
 
 namespace tilth {
 
-/// A beam of a scan that is followed: from the sensor, where it was at that time, to the point [m], in the world.
-struct SightLine {
-  Eigen::Vector3f origin, point;
-};
-
-struct SeenScan {
-  double stamp = 0.0;                   ///< [s]
-  std::vector<Eigen::Vector3f> points;  ///< [m] in the world
-  std::vector<SightLine> lines;         ///< of one in MovingOptions::every of the points
-};
-
 class MovingPoints {
  public:
+  static constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
   explicit MovingPoints(const MovingOptions& options);
 
-  /// The next scan, whose pose must be right. Points farther out than 100 km are passed over. Of each point whether it
-  /// is the first thing seen where something else has gone.
-  std::vector<std::uint8_t> add(const SeenScan& scan);
+  /// The next scan, whose pose must be right. Returns for each of `points`, which are of the scan, the number of the
+  /// thing that it belongs to, or kNone farther out than 100 km.
+  std::vector<std::uint32_t> add(const SeenScan& scan, std::span<const Eigen::Vector3f> points);
 
   std::uint32_t scans() const { return scan_; }  ///< added
 
-  /// Says what voxels farther than `distance` [m] from `place` are: from then on moved() holds for their points.
+  /// Says what things are that are left behind: farther than `distance` [m] from `place`, and farther than they were
+  /// when they were seen first. From then on moved() holds for them. With distance 0, of all things.
   void judge(const Eigen::Vector3f& place, float distance);
 
-  /// Whether a point that was the scans()-th when it was added moved: as far as its voxel alone tells, or after judge()
-  /// as far as its neighbours tell as well.
-  bool moved(const Eigen::Vector3f& point, std::uint32_t scan) const;
+  /// Whether a thing moved: as far as is known of itself, or after judge() as far as its neighbours tell as well.
+  bool moved(std::uint32_t thing) const;
 
-  /// Whether judge() has said what the voxel of the point is; true where nothing is known of it.
-  bool judged(const Eigen::Vector3f& point) const;
+  /// Whether judge() has said what it is; true for kNone.
+  bool judged(std::uint32_t thing) const;
 
-  /// Forgets all voxels farther than `distance` [m] from `place`.
-  void forget(const Eigen::Vector3f& place, float distance);
+  /// Whether beams have passed where it was since: what is seen there later is another thing.
+  bool gone(std::uint32_t thing) const { return thing != kNone && things_[thing].gone; }
+
+  /// Forgets what was judged, and scans seen from farther than `distance` [m] from `place`. Returns the new number of
+  /// each thing, kNone for those that are forgotten.
+  std::vector<std::uint32_t> forget(const Eigen::Vector3f& place, float distance);
 
   std::size_t bytes() const;  ///< held
 
  private:
-  static constexpr float kFarthest = 1e5F;  // [m]
+  enum class Verdict : std::uint8_t { stands, moved, open };
 
-  enum class Verdict : std::uint8_t { unseen, stands, moved, open };
-  using Verdicts = std::array<Verdict, 8>;
-  using Sights = std::array<VoxelSight, 8>;
-
-  struct Cell {
-    Eigen::Vector3i place;
-    Sights voxels;
-    Verdicts verdicts{};
+  struct Judgement {
+    Verdict verdict = Verdict::open;
     bool judged = false;
   };
 
-  struct Place {
-    Eigen::Vector3i cell;
-    Eigen::Vector3f inside;  ///< in cells, from the cell's corner
-    std::size_t voxel;       ///< of the eight
+  /// Of space, four cells an edge: what is known of its surface, and its things by their cells.
+  struct Block {
+    Eigen::Vector3i place;  ///< in blocks
+    SurfaceBlock surface;
+    std::array<std::uint32_t, 64> heads;  ///< thing of each cell that came last
+  };
+  using Around = std::array<const Block*, 27>;
+
+  struct KeptView {
+    std::uint32_t scan = 0;
+    ScanView view;
   };
 
-  Place place_of(const Eigen::Vector3f& point) const;
-  std::uint32_t surface_of(const Eigen::Vector3f& point, const Eigen::Vector3i& block);
-  Cell& cell_of(std::uint32_t surface, const Eigen::Vector3i& cell);
-  const Cell* find(const Eigen::Vector3i& cell) const;
-  bool hit(const Eigen::Vector3f& point);
-  int passes_before(const Eigen::Vector3f& point, const Place& place, const SurfaceBlock& surface) const;
-  void follow(const SightLine& line);
-  bool tells_nothing(const FreeCells::Block& block, const BeamStretch& beam, float along);
-  void pass(Cell& cell, const BeamStretch& beam) const;
-  Verdict verdict_alone(const VoxelSight& sight) const;
-  Verdict verdict_among(const Cell& cell, std::size_t voxel, std::span<const Cell* const> near, bool first) const;
+  std::uint32_t watch(const Eigen::Vector3f& point, const Eigen::Vector3f& place);
+  std::uint32_t insert(const SeenThing& thing);
+  std::uint32_t block_of(const Eigen::Vector3f& point);
+  void find_surfaces(const SeenScan& scan);
+  ScanView& next_view();
+  void catch_up(std::uint32_t scan);
+  void look(const KeptView& kept, std::uint32_t from, std::uint32_t to);
+  void note(SeenThing& thing, std::uint32_t scan, const Glimpse& seen);
+  bool grazes(const SeenThing& thing, const Eigen::Vector3f& direction) const;
+  bool on_old_plane(const SeenThing& thing) const;
+
+  Verdict verdict_alone(const SeenThing& thing) const;
+  Verdict verdict_among(std::uint32_t number, std::span<const std::uint32_t> near, bool first) const;
+  Around around(const Block& block) const;
+  void gather(const Around& around, int cell, std::vector<std::uint32_t>& near) const;
   void vote(bool first);
-  bool is_far(const Eigen::Vector3i& block, const Eigen::Vector3f& place, float distance) const;
 
   MovingOptions options_;
   float edge_;  // [m] of a cell: two voxels
   std::uint32_t scan_ = 0;
-  std::vector<double> stamps_;  // of each scan
-  FreeCells free_;
-  std::vector<SurfaceBlock> surfaces_;
-  std::vector<Cell> cells_;
-  Eigen::Vector3i last_block_;  // of hit(): points of a beam lie close together
-  std::uint32_t last_surface_ = FreeCells::kNone;
+  std::vector<double> stamps_;                // of each scan
+  std::vector<std::uint32_t> first_of_scan_;  // thing of each scan
+  std::vector<SeenThing> things_;             // in the order in which they were seen first
+  std::vector<Judgement> judgements_;
+  std::uint32_t looked_ = 0;  // things that were looked at in scans before them
+  VoxelTable table_;
+  std::vector<Block> blocks_;
+  std::vector<KeptView> views_;  // by scan
+  ViewWorkspace workspace_;
 };
 
 }  // namespace tilth

@@ -1,24 +1,18 @@
-// What is known of the surfaces in a block of cells: where each cell's voxels are kept, and whether all is one plane.
+// Whether the points in a block of space are one plane, or else the lowest of them: a floor on which something stands.
 #pragma once
 
-#include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include <Eigen/Core>
 
 namespace tilth {
 
-class SurfaceBlock {
+/// A plane through points that come one by one.
+class GrowingPlane {
  public:
-  static constexpr std::uint32_t kNoCell = 0xFFFFFFFF;
-
-  /// `origin`: a point near by, from which sums are taken.
-  explicit SurfaceBlock(const Eigen::Vector3f& origin) : origin_(origin) { cells.fill(kNoCell); }
-
-  std::array<std::uint32_t, 64> cells;  ///< number of each cell's voxels, or kNoCell
-
-  void add(const Eigen::Vector3f& point) {
-    const Eigen::Vector3f p = point - origin_;
+  void add(const Eigen::Vector3f& p) {
     count_ += 1;
     sum_ += p;
     squares_.col(0) += p.x() * p;
@@ -30,18 +24,53 @@ class SurfaceBlock {
   void refresh(float thickness);
 
   bool planar() const { return planar_; }
-
-  /// [m] of `point` from the plane, where there is one.
-  float offset(const Eigen::Vector3f& point) const { return normal_.dot(point) - distance_; }
-
-  /// [-] sine of the angle between a direction and the plane.
-  float sine(const Eigen::Vector3f& direction) const { return normal_.dot(direction); }
+  bool wide() const { return wide_; }  ///< a plane that spreads in both directions
+  float offset(const Eigen::Vector3f& p) const { return normal_.dot(p) - distance_; }    ///< [m] from the plane
+  float sine(const Eigen::Vector3f& direction) const { return normal_.dot(direction); }  ///< of the angle to it
 
  private:
-  Eigen::Vector3f origin_, sum_ = Eigen::Vector3f::Zero(), normal_ = Eigen::Vector3f::Zero();
+  Eigen::Vector3f sum_ = Eigen::Vector3f::Zero(), normal_ = Eigen::Vector3f::Zero();
   Eigen::Matrix3f squares_ = Eigen::Matrix3f::Zero();
   float count_ = 0, fitted_ = 0, distance_ = 0;
-  bool planar_ = false;
+  bool planar_ = false, wide_ = false;
+};
+
+class SurfaceBlock {
+ public:
+  /// `origin`: a point near by, from which sums are taken.
+  explicit SurfaceBlock(const Eigen::Vector3f& origin) : origin_(origin) {}
+
+  /// A point that a scan saw; scans must come in their order.
+  void add(const Eigen::Vector3f& point, std::uint32_t scan, float thickness) {
+    constexpr float kLayer = 0.15F, kLower = 0.05F;  // [m]
+    const Eigen::Vector3f p = point - origin_;
+    if (first_ == 0) first_ = scan;
+    last_ = scan;
+    all_.add(p), all_.refresh(thickness);
+    if (p.z() < low_ - kLower) low_ = p.z(), lowest_ = {};
+    if (p.z() < low_ + kLayer) lowest_.add(p), lowest_.refresh(thickness);
+  }
+
+  /// Whether a beam in that direction grazes a plane, at an angle of less than `sine`, that the point lies within
+  /// `clearance` [m] of.
+  bool grazes(const Eigen::Vector3f& point, const Eigen::Vector3f& direction, float clearance, float sine) const {
+    const GrowingPlane& plane = this->plane();
+    return plane.planar() && std::abs(plane.sine(direction)) < sine &&
+           std::abs(plane.offset(point - origin_)) < clearance;
+  }
+
+  /// Whether the point lies within `thickness` [m] of a plane that was there for so many scans.
+  bool holds(const Eigen::Vector3f& point, std::uint32_t scans, float thickness) const {
+    return all_.wide() && last_ - first_ >= scans && std::abs(all_.offset(point - origin_)) < thickness;
+  }
+
+ private:
+  const GrowingPlane& plane() const { return all_.planar() ? all_ : lowest_; }
+
+  Eigen::Vector3f origin_;
+  std::uint32_t first_ = 0, last_ = 0;                  // scans that saw it
+  float low_ = std::numeric_limits<float>::infinity();  // [m]
+  GrowingPlane all_, lowest_;
 };
 
 }  // namespace tilth

@@ -11,6 +11,18 @@ namespace {
 
 constexpr std::uint32_t kScansBetween = 200;  // two times at which what is far is decided
 constexpr float kStillNear = 45;              // [m] beams may still pass there: MovingOptions::reach and a way to go
+constexpr std::uint32_t kRelease = 20;        // scans between two times at which what has gone is looked for
+constexpr std::size_t kOrigins = 64;          // of a scan
+
+/// [s] of the k-th place of the sensor in a scan of `duration` [s].
+double origin_time(std::size_t k, double duration) {
+  return (double(k) + 0.5) / double(kOrigins) * duration;
+}
+
+/// Number of the place that the sensor was nearest to at `time` [s].
+std::uint8_t origin_at(double time, double duration) {
+  return std::uint8_t(std::clamp(time / duration * double(kOrigins), 0.0, double(kOrigins - 1)));
+}
 
 /// Adds the voxel of the point; false where it was there before, or where it lies outside what the set can hold.
 bool take(VoxelSet& voxels, const MapPoint& point, double voxel) {
@@ -27,27 +39,26 @@ MapBuilder::MapBuilder(const MapOptions& options) : voxel_(options.voxel), max_p
 void MapBuilder::add(const PointCloud& cloud, const Pose& T_world_lidar, double pose_time, const MotionInScan& motion,
                      const ScanSight& sight) {
   const bool timed = cloud.has_times(), bright = cloud.intensities.size() == cloud.size();
-  const bool watched = sights_ && sight.trusted;
   const ScanMotion moved(motion, pose_time);
-  const auto place = [&](const Eigen::Vector3d& p, std::size_t i) -> Eigen::Vector3f {
-    return (T_world_lidar * moved.move(p, timed ? double(cloud.times[i]) : pose_time)).cast<float>();
+  const auto place = [&](const Eigen::Vector3d& p, double time) -> Eigen::Vector3f {
+    return (T_world_lidar * moved.move(p, time)).cast<float>();
   };
   std::vector<MapPoint> points(cloud.size());
-  SeenScan seen{sight.stamp, {}, {}};
-  if (watched) seen.points.reserve(cloud.size());
-  const std::size_t every = MovingOptions{}.every;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3f p = place(cloud.points[i], i);
+    const Eigen::Vector3f p = place(cloud.points[i], timed ? double(cloud.times[i]) : pose_time);
     points[i] = {p.x(), p.y(), p.z(), bright ? cloud.intensities[i] : 0.0F, scans_};
-    if (!watched) continue;
-    seen.points.push_back(p);
-    if (i % every == scans_ % every) seen.lines.push_back({place(Eigen::Vector3d::Zero(), i), p});
   }
-  if (watched)
-    add_watched(points, seen, T_world_lidar.translation().cast<float>());
-  else
+  if (sights_ && sight.trusted) {
+    const double length = timed ? duration(cloud) : 0.0;
+    SeenScan seen{sight.stamp, {}, {}, std::vector<std::uint8_t>(cloud.size(), 0)};
+    for (std::size_t k = 0; k < (length > 0 ? kOrigins : 1); ++k)
+      seen.origins.push_back(place(Eigen::Vector3d::Zero(), timed ? origin_time(k, length) : pose_time));
+    for (std::size_t i = 0; length > 0 && i < cloud.size(); ++i) seen.origin_of[i] = origin_at(cloud.times[i], length);
+    add_watched(points, std::move(seen));
+  } else {
     std::copy_if(points.begin(), points.end(), std::back_inserter(points_),
                  [&](const MapPoint& p) { return take(voxels_, p, voxel_); });
+  }
   bound();
   ++scans_;
 }
@@ -57,16 +68,32 @@ void MapBuilder::add(const OdometryResult& result, double stamp) {
   add(result.filtered, result.T_world_lidar, result.stamp - stamp, result.motion, {result.stamp, trusted});
 }
 
-void MapBuilder::add_watched(std::span<const MapPoint> points, const SeenScan& seen, const Eigen::Vector3f& place) {
-  const std::vector<std::uint8_t> anew = sights_->add(seen);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (take(voxels_, points[i], voxel_) || anew[i] != 0) open_.push_back({points[i], sights_->scans()});
+void MapBuilder::add_watched(std::span<const MapPoint> points, SeenScan seen) {
+  std::vector<Eigen::Vector3f> fresh;
+  const std::size_t before = open_.size();
+  for (const MapPoint& p : points) {
+    seen.points.emplace_back(p.x, p.y, p.z);
+    if (!take(voxels_, p, voxel_)) continue;
+    open_.push_back({p});
+    fresh.push_back(seen.points.back());
   }
-  if (sights_->scans() % kScansBetween == 0) settle_far(place, kStillNear);
+  const std::vector<std::uint32_t> things = sights_->add(seen, fresh);
+  for (std::size_t i = 0; i < things.size(); ++i) open_[before + i].thing = things[i];
+  if (sights_->scans() % kRelease == 0) release_gone();
+  if (sights_->scans() % kScansBetween == 0) settle_far(seen.place(), kStillNear);
+}
+
+/// Lets the voxels of what has gone take another point.
+void MapBuilder::release_gone() {
+  for (OpenPoint& open : open_) {
+    if (open.released || !sights_->gone(open.thing)) continue;
+    open.released = true;
+    voxels_.erase(voxel_of(Eigen::Vector3d(open.point.x, open.point.y, open.point.z) * (1 / voxel_)));
+  }
 }
 
 bool MapBuilder::gone(const OpenPoint& open) const {
-  return sights_->moved({open.point.x, open.point.y, open.point.z}, open.sight);
+  return sights_->moved(open.thing);
 }
 
 void MapBuilder::take_out(const MapPoint& point) {
@@ -77,14 +104,15 @@ void MapBuilder::take_out(const MapPoint& point) {
 void MapBuilder::settle_far(const Eigen::Vector3f& place, float distance) {
   sights_->judge(place, distance);
   std::erase_if(open_, [&](const OpenPoint& open) {
-    if (!sights_->judged({open.point.x, open.point.y, open.point.z})) return false;
+    if (!sights_->judged(open.thing)) return false;
     if (gone(open))
       take_out(open.point);
     else
       points_.push_back(open.point);
     return true;
   });
-  sights_->forget(place, distance);
+  const std::vector<std::uint32_t> renumbered = sights_->forget(place, distance);
+  for (OpenPoint& open : open_) open.thing = renumbered[open.thing];
 }
 
 void MapBuilder::settle() {

@@ -85,10 +85,12 @@ class MapBuilder {
   /// A point of which is not decided yet whether it moved.
   struct OpenPoint {
     MapPoint point;
-    std::uint32_t sight = 0;  ///< number of its scan among those that beams were followed of
+    std::uint32_t thing = MovingPoints::kNone;
+    bool released = false;  ///< what is seen in its voxel later is added as well
   };
 
-  void add_watched(std::span<const MapPoint> points, const SeenScan& seen, const Eigen::Vector3f& place);
+  void add_watched(std::span<const MapPoint> points, SeenScan seen);
+  void release_gone();
   void settle_far(const Eigen::Vector3f& place, float distance);
   bool gone(const OpenPoint& open) const;
   void take_out(const MapPoint& point);
