@@ -64,10 +64,17 @@ void check_folder(const LiveArguments& arguments) {
               "holds the trajectory of an earlier run: --resume goes on with it, --force replaces it");
 }
 
-/// Listens and waits for the sensor; nothing where that was interrupted.
-std::unique_ptr<LiveSource> open(const LiveArguments& arguments, std::function<bool()> stopped, Console& console) {
+using Enough = std::function<bool()>;
+
+/// Whether so many seconds have passed since now; never for zero.
+Enough seconds_from_now(double seconds) {
+  return [seconds, since = Stopwatch()] { return seconds > 0.0 && since.seconds() > seconds; };
+}
+
+/// Listens and waits for the sensor, until it is enough; nothing where that was interrupted.
+std::unique_ptr<LiveSource> open(const LiveArguments& arguments, const Enough& enough, Console& console) {
   const LiveAddress address = parse_live_uri(arguments.run.source, arguments.input);
-  std::unique_ptr<PacketReceiver> receiver = listen(address, std::move(stopped));
+  std::unique_ptr<PacketReceiver> receiver = listen(address, [enough] { return interrupted() != 0 || enough(); });
   console.note("listening at " + receiver->name() + "; Ctrl-C ends it");
   if (!receiver->warning().empty()) console.warn(receiver->warning());
   try {
@@ -114,10 +121,7 @@ int live_in_map(const LiveArguments& a) {
   const LockedFolder folder(a.run.out, session.files());
   check_folder(a);
   remember_interrupts();
-  const Stopwatch stopwatch;
-  const auto enough = [&] { return a.duration > 0.0 && stopwatch.seconds() > a.duration; };
-  std::unique_ptr<LiveSource> source = open(
-      a, [&] { return interrupted() != 0 || enough(); }, console);
+  std::unique_ptr<LiveSource> source = open(a, seconds_from_now(a.duration), console);
   if (!source) return signal_exit_code();
   LiveConsole observer(*source, console);
   const LocalizeSession::End end = session.run(std::move(source), observer, console);
@@ -133,10 +137,8 @@ int live(const LiveArguments& a) {
   check_folder(a);
   remember_interrupts();
   const std::shared_ptr<ViewServer> view = open_view(a.run, console);
-  const Stopwatch stopwatch;
-  const auto enough = [&] { return a.duration > 0.0 && stopwatch.seconds() > a.duration; };
-  std::unique_ptr<LiveSource> source = open(
-      a, [&] { return interrupted() != 0 || enough(); }, console);
+  const Enough enough = seconds_from_now(a.duration);
+  std::unique_ptr<LiveSource> source = open(a, enough, console);
   if (!source) return signal_exit_code();
   LiveConsole observer(*source, console);
   std::unique_ptr<ScanSource> scans = corrected_source(std::move(source), a.run, plan);

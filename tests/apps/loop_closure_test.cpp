@@ -54,7 +54,8 @@ TEST(LoopClosureRun, WritesWhatItFound) {
   const std::size_t columns = std::size_t(std::count(closures.begin(), closures.begin() + closures.find('\n'), ','));
   EXPECT_EQ(std::size_t(std::count(closures.begin(), closures.end(), ',')), columns * lines_in(closures));
   const std::string summary = text_of(out / "summary.json");
-  for (const char* key : {"\"loop_closure\"", "\"accepted\"", "\"loop.detect.min_path\"", "\"verification_ms\"", "\"longest_wait_ms\""})
+  for (const char* key :
+       {"\"loop_closure\"", "\"accepted\"", "\"loop.detect.min_path\"", "\"verification_ms\"", "\"longest_wait_ms\""})
     EXPECT_NE(summary.find(key), std::string::npos) << key;
 }
 

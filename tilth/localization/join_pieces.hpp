@@ -14,8 +14,8 @@ namespace tilth {
 /// lost. About 0.1 s for 3 m of a new map.
 std::size_t join_pieces(LoopCloser& loops, const LocalizerOptions& options);
 
-/// The same while the drive goes on, for Slam::after_keyframe: every 6 m the last 9 m of a map that hangs on nothing are
-/// looked for.
+/// The same while the drive goes on, for Slam::after_keyframe: every 6 m the last 9 m of a map that hangs on nothing
+/// are looked for.
 class PieceJoiner {
  public:
   explicit PieceJoiner(LocalizerOptions options) : options_(std::move(options)) {}
