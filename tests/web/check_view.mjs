@@ -34,7 +34,7 @@ async function watchedRun(name, seconds) {
     });
     ended.then((code) => refuse(new Error(`ended with ${code}: ${said}`)));
   });
-  return { ...address, ended };
+  return { ...address, ended, interrupt: () => run.kill("SIGINT") };
 }
 
 /** What Foxglove's client gets of a run: how many messages of each topic, and the names of their types. */
@@ -88,7 +88,7 @@ async function drawnShare(page) {
 }
 
 async function thePageShowsIt(browser) {
-  const run = await watchedRun("page", 20);
+  const run = await watchedRun("page", 600); // far longer than a browser needs to open it
   const page = await browser.newPage({ viewport: { width: 1200, height: 800 } });
   page.setDefaultTimeout(120_000);
   const [complaints, requests] = [[], []];
@@ -106,9 +106,11 @@ async function thePageShowsIt(browser) {
   assert.ok((await drawnShare(page)) > 0.03, "the map is drawn");
   const values = await page.locator("aside dd").allTextContents();
   assert.ok(values.every((value) => value !== "–"), values.join(" | "));
-  assert.deepEqual(complaints, []);
+  const whileItRan = complaints.filter((text) => !text.includes("ERR_CONNECTION_REFUSED")); // the page asks for the next run
+  assert.deepEqual(whileItRan, []);
   assert.deepEqual([...new Set(requests)].filter((url) => !url.startsWith("data:")), [run.page], "nothing is fetched but the page");
-  assert.equal(await run.ended, 0);
+  run.interrupt();
+  assert.ok([0, 128 + 2].includes(await run.ended), "over by itself, or interrupted");
   await page.waitForFunction(() => document.querySelector(".link-state").textContent.includes("ended"));
   await page.close();
 }
