@@ -41,7 +41,8 @@ bool is_pandar40p(std::span<const std::byte> p) {
 
 /// By header: numbers of lasers and blocks, and units of 4 mm.
 std::optional<PacketFamily> hesai_family(std::span<const std::byte> p) {
-  const bool headed = begins(p, 0, {0xEE, 0xFF});
+  constexpr std::size_t kHeader = 12;
+  const bool headed = p.size() >= kHeader && begins(p, 0, {0xEE, 0xFF});
   const auto tells = [&](std::uint8_t lasers, std::uint8_t blocks) {
     return headed && at(p, 6) == lasers && at(p, 7) == blocks && at(p, 9) == 4;
   };
