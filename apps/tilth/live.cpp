@@ -115,7 +115,8 @@ void add_sinks(Session& session, const LiveArguments& a, const PlannedRun& plan,
 /// In a saved map: the folder gets what `tilth localize` writes.
 int live_in_map(const LiveArguments& a) {
   if (a.run.learn_beams) throw Error("--learn-beams", "does not go with --map");
-  if (!a.run.output.empty()) throw Error("--" + a.run.output.begin()->first, "is of a map: with --map none is made");
+  for (const OptionValues& of_map : {a.run.output, a.run.map})
+    if (!of_map.empty()) throw Error(flag_of(of_map.begin()->first), "is of a map that is made: with --map none is");
   Console console(a.run.quiet);
   LocalizeSession session(a);
   const LockedFolder folder(a.run.out, session.files());
@@ -181,7 +182,8 @@ void add_live(CLI::App& app, int& exit_code) {
   command->add_option("--duration", a->duration, "[s] after which it ends")->check(CLI::PositiveNumber);
   command->add_option("--max-scans", a->run.session.max_scans, "stop after so many scans");
   command->add_option("--checkpoint", a->checkpoint, "[s] between two savings of the map (30)")
-      ->check(CLI::Range(0.1, 1e6));
+      ->check(CLI::Range(0.1, 1e6))
+      ->excludes(map);
   command->add_option("--pipeline", a->run.options.pipeline, "see `tilth pipelines`; default: the first of them");
   add_setting_arguments(*command, a->run.options);
   add_option_flags(*command, describe(LiveOptions{}), a->input);

@@ -5,14 +5,11 @@
 #include <CLI/CLI.hpp>
 
 namespace tilth::app {
-namespace {
 
 std::string flag_of(std::string key) {
   std::replace(key.begin(), key.end(), '_', '-');
   return "--" + key;
 }
-
-}  // namespace
 
 void add_option_flags(CLI::App& command, std::span<const OptionInfo> options, OptionValues& values) {
   for (const OptionInfo& option : options) {

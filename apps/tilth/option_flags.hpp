@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include <tilth/core/options.hpp>
 
@@ -10,6 +11,9 @@ class App;
 }
 
 namespace tilth::app {
+
+/// "rpe_delta" -> "--rpe-delta".
+std::string flag_of(std::string key);
 
 /// Adds a flag for every option; what is given on the command line goes to `values`, which must outlive the command.
 void add_option_flags(CLI::App& command, std::span<const OptionInfo> options, OptionValues& values);

@@ -50,12 +50,15 @@ TEST_F(LiveInMap, WhatWasSaidStaysWhenItIsKilled) {
 }
 
 TEST_F(LiveInMap, WhatMeansNothingThereIsRefused) {
-  for (const std::string flag : {"--grid", "--learn-beams", "--resume", "--loop-closure", "--level"}) {
+  for (const std::string flag : {"--grid", "--learn-beams", "--resume", "--loop-closure", "--level", "--keep-moving"}) {
     const Outcome outcome =
         tilth({"live", "udp://127.0.0.1:0", "--out", in("no"), "--map", map(), flag, "--duration", "0.1"});
     EXPECT_NE(outcome.exit_code, 0) << flag;
     EXPECT_NE(outcome.err.find(flag), std::string::npos) << outcome.err;
   }
+  const Outcome checkpoint =
+      tilth({"live", "udp://127.0.0.1:0", "--out", in("no"), "--map", map(), "--checkpoint", "5"});
+  EXPECT_NE(checkpoint.err.find("--map excludes --checkpoint"), std::string::npos) << checkpoint.err;
   const Outcome none = tilth({"live", "udp://127.0.0.1:0", "--out", in("no"), "--map", in("none")});
   EXPECT_EQ(none.exit_code, 1);
   EXPECT_NE(none.err.find("is no folder of a map"), std::string::npos) << none.err;

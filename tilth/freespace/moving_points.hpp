@@ -3,8 +3,9 @@
 // kept six bytes a beam; about 2 us a voxel.
 //
 //   MovingPoints moving(options);
-//   const auto things = moving.add(scan, points);   // scan after scan, in the world; points of it that are to be
-//   judged moving.judge(place, distance);                  // now and then, then if (moving.moved(things[i])) ...
+//   const auto things = moving.add(scan, points);   // scan after scan; those of its points that are to be judged
+//   moving.judge(place, distance);                  // now and then
+//   if (moving.moved(things[i])) ...                // points[i] is of something that moved
 #pragma once
 
 #include <array>

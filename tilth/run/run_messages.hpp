@@ -63,6 +63,7 @@ std::vector<std::byte> diagnostics_message(const ScanRow& row);
 
 /// How well the place in a saved map is known.
 std::vector<std::byte> diagnostics_message(const LocalizationRow& row);
+
 /// Every n-th pose and the last, so that about `most` remain.
 Trajectory thinned(const Trajectory& poses, std::size_t most);
 

@@ -53,9 +53,14 @@ Pose LoopClosingThread::T_map_odom() const {
   return T_map_odom_;
 }
 
-LoopsSoFar LoopClosingThread::so_far() const {
+std::vector<Pose> LoopClosingThread::poses_so_far() const {
   const std::lock_guard lock(mutex_);
-  return so_far_;
+  return poses_so_far_;
+}
+
+bool LoopClosingThread::has_corrected() const {
+  const std::lock_guard lock(mutex_);
+  return !poses_so_far_.empty();
 }
 
 LoopTimes LoopClosingThread::times() const {
@@ -86,9 +91,10 @@ void LoopClosingThread::work() {
     times_.detection_ms += spent.detection_ms, times_.verification_ms += spent.verification_ms;
     times_.graph_ms += spent.graph_ms;
     times_.longest_wait_ms = std::max(times_.longest_wait_ms, spent.longest_wait_ms);
-    so_far_ = {closer_.optimizations(), closer_.poses()};
-    if (so_far_.optimizations > 0)
+    if (closer_.optimizations() > 0) {
+      poses_so_far_ = closer_.poses();
       T_map_odom_ = normalized(closer_.poses().back() * closer_.keyframes().back().T_odometry_lidar.inverse());
+    }
     changed_.notify_all();
   }
 }

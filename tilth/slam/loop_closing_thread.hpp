@@ -16,12 +16,6 @@
 
 namespace tilth {
 
-/// What is known of the keyframes worked off so far.
-struct LoopsSoFar {
-  int optimizations = 0;
-  std::vector<Pose> poses = {};  ///< T_map_lidar
-};
-
 /// What closing loops has cost so far, beside the scans.
 struct LoopTimes {
   double detection_ms = 0.0, verification_ms = 0.0, graph_ms = 0.0;  ///< in sum
@@ -51,7 +45,10 @@ class LoopClosingThread {
   /// to the bit until something was optimised.
   Pose T_map_odom() const;
 
-  LoopsSoFar so_far() const;
+  /// T_map_lidar of the keyframes worked off so far; empty until something was optimised.
+  std::vector<Pose> poses_so_far() const;
+  bool has_corrected() const;  ///< whether something was optimised
+
   LoopTimes times() const;
 
  private:
@@ -71,7 +68,7 @@ class LoopClosingThread {
   std::condition_variable changed_;
   std::deque<Waiting> waiting_;
   bool busy_ = false, ends_ = false;
-  LoopsSoFar so_far_;
+  std::vector<Pose> poses_so_far_;
   Pose T_map_odom_ = Pose::Identity();
   LoopTimes times_;
   std::exception_ptr failure_;

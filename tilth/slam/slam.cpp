@@ -72,8 +72,7 @@ Trajectory Slam::trajectory() const {
 }
 
 Trajectory Slam::trajectory_so_far() const {
-  const LoopsSoFar known = thread_.so_far();
-  return known.optimizations > 0 ? moved_along(known.poses) : trajectory_;
+  return moved_along(thread_.poses_so_far());
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> Slam::joined_scans() const {

@@ -43,7 +43,7 @@ class Slam : public Odometry {
   /// Every registered scan as the loops closed so far have it, moved along with the keyframes before and after it; that
   /// of odometry to the bit until something was optimised. O(scans).
   Trajectory trajectory_so_far() const;
-  bool corrected_so_far() const { return thread_.so_far().optimizations > 0; }
+  bool corrected_so_far() const { return thread_.has_corrected(); }
 
   LoopTimes loop_times() const { return thread_.times(); }
 
