@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "localization/made_map.hpp"
+#include <tilth/core/median.hpp>
 #include <tilth/localization/localizer.hpp>
 
 namespace tilth {
@@ -95,6 +96,27 @@ TEST(Localizer, DoesNotFindAnotherCorridorInTheMap) {
   for (std::size_t i = 120; i < 200; ++i) {
     const LocatedScan scan = localizer.add(elsewhere.scan(i).scan);
     EXPECT_FALSE(scan.T_map_lidar.has_value()) << "at scan " << i;
+  }
+}
+
+// Shifted, a corridor of another size fits most of the map's walls.
+TEST(Localizer, DoesNotBelieveScansOfAnotherSize) {
+  const CorridorPlan plan{26, kDoors};
+  const Simulator mapped = corridor_drive(plan, 20, 308), driven = corridor_drive(plan, 20, 309);
+  const MadeMap map = map_of(mapped);
+  for (const double size : {0.85, 0.95, 1.04, 1.1}) {
+    const auto odometry = [&] { return std::make_unique<DriftingOdometry>(driven, Drift{.scale = size - 1}); };
+    Localizer localizer(map, odometry, {}, std::nullopt);
+    std::vector<double> scales;
+    for (std::size_t i = 100; i < 130; ++i) {
+      Scan scan = driven.scan(i).scan;
+      for (Eigen::Vector3d& point : scan.cloud.points) point *= size;
+      const LocatedScan located = localizer.add(scan);
+      EXPECT_FALSE(located.T_map_lidar.has_value()) << "size " << size << ", scan " << i;
+      if (!located.hypotheses.empty()) scales.push_back(located.hypotheses.front().scale);
+    }
+    ASSERT_FALSE(scales.empty());
+    EXPECT_GT(std::abs(median(scales) - 1), 0.02) << "size " << size;
   }
 }
 

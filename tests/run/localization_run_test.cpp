@@ -56,5 +56,31 @@ TEST_F(LocalizationRun, EndsAtSuchAScanWhereItIsStrict) {
   EXPECT_EQ(record.localization->rows.size(), 2U);
 }
 
+LocalizationRow search_at(double stamp, double scale) {
+  LocalizationRow row{.stamp = stamp};
+  row.hypotheses.push_back({.scale = scale});
+  return row;
+}
+
+TEST(ReasonOfFailure, IsTheSizeWhereSearchesAgreeOnIt) {
+  LocalizationRecord record;
+  for (const double scale : {1.25, 1.251, 1.249, 1.0})
+    record.rows.push_back(search_at(double(record.rows.size()), scale));
+  const auto reason = reason_of_failure(record, 0.02);
+  ASSERT_TRUE(reason);
+  EXPECT_NE(reason->find("the map is 1.25 times as large"), std::string::npos) << *reason;
+  record.rows.push_back({.stamp = 9, .state = MapState::located});
+  EXPECT_FALSE(reason_of_failure(record, 0.02));
+}
+
+TEST(ReasonOfFailure, IsNotTheSizeWhereItIsRightOrVaries) {
+  LocalizationRecord right, varying;
+  for (const double scale : {1.0, 1.003, 0.995}) right.rows.push_back(search_at(0, scale));
+  for (const double scale : {1.3, 0.8, 1.1, 0.9, 1.0}) varying.rows.push_back(search_at(0, scale));
+  EXPECT_FALSE(reason_of_failure(right, 0.02));
+  EXPECT_FALSE(reason_of_failure(varying, 0.02));
+  EXPECT_FALSE(reason_of_failure({}, 0.02));
+}
+
 }  // namespace
 }  // namespace tilth

@@ -91,6 +91,8 @@ class Localizer {
   /// read.
   LocatedScan add(const Scan& scan);
 
+  const LocalizerOptions& options() const { return options_; }
+
   /// Forgets where it is, and the scans so far.
   void forget();
 

@@ -57,6 +57,7 @@ struct PlaceFit {
   Overlap overlap = {};          ///< of the query's patches on surfaces of the map
   std::vector<float> fits = {};  ///< of each chosen patch: 1 on a surface, 0 far from any
   double through = 0.0;          ///< share of the newest beams that went through a surface of the map
+  double scale = 1.0;            ///< the map's size over that of the query: place_scale.hpp
   SubmapInformation determined = {};
 };
 

@@ -55,7 +55,8 @@ PlaceFinder::PlaceFinder(MapTiles& tiles, const PlaceFinderOptions& options, con
 bool PlaceFinder::plausible(const PlaceFit& fit) const {
   return fit.registered && fit.determined.degenerate_directions == 0 && fit.overlap.ratio >= options_.min_overlap &&
          fit.overlap.landmarks >= options_.min_landmarks && fit.overlap.fitness <= options_.max_fitness &&
-         fit.through <= options_.max_through && likeness_of(fit) >= options_.min_likeness;
+         fit.through <= options_.max_through && likeness_of(fit) >= options_.min_likeness &&
+         std::abs(fit.scale - 1) <= options_.max_scale_error;
 }
 
 std::vector<PlaceFit> PlaceFinder::tried(const PlaceQuery& query, const std::vector<Pose>& starts) {

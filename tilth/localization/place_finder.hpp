@@ -19,6 +19,7 @@ struct PlaceFinderOptions {
   double max_fitness = 0.06;
   double max_through = 0.1;
   double min_likeness = 0.5;
+  double max_scale_error = 0.02;
   double alike = 3.0;
   double alike_least = 0.06;
   int registered = 8;
@@ -33,6 +34,8 @@ void visit(PlaceFinderOptions& o, V&& v) {
   v("max_through", o.max_through, Bounds{0, 1}, "[-] share of beams that went through a surface of the map, at most");
   v("min_likeness", o.min_likeness, Bounds{0, 1},
     "[-] how well the patches lie on surfaces, less the beams that went through one, at least");
+  v("max_scale_error", o.max_scale_error, Bounds{1e-4, 10},
+    "[-] by which the scans may be larger or smaller than the map");
   v("alike", o.alike, Bounds{1, 100},
     "[-] another pose is less likely where so many times more speaks against it than for it, beside the best");
   v("alike_least", o.alike_least, Bounds{0, 1},

@@ -1,6 +1,8 @@
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
+#include <tilth/core/median.hpp>
 #include <tilth/io/output_file.hpp>
 #include <tilth/io/text_lines.hpp>
 #include <tilth/run/base_frame.hpp>
@@ -42,6 +44,27 @@ std::vector<double> times_to_answer(const LocalizationRecord& record) {
   return times;
 }
 
+std::optional<std::string> reason_of_failure(const LocalizationRecord& record, double max_scale_error) {
+  std::vector<double> scales;
+  std::size_t searches = 0;
+  for (const LocalizationRow& row : record.rows) {
+    if (is_known(row.state)) return std::nullopt;
+    if (row.hypotheses.empty()) continue;
+    ++searches;
+    const double scale = row.hypotheses.front().scale;
+    if (std::abs(scale - 1) > max_scale_error) scales.push_back(scale);
+  }
+  if (scales.empty()) return std::nullopt;
+  constexpr double kAlike = 0.02;
+  const double middle = median(scales);
+  std::erase_if(scales, [&](double scale) { return std::abs(scale - middle) > kAlike; });
+  if (2 * scales.size() < searches) return std::nullopt;
+  std::ostringstream text;
+  text << std::setprecision(3) << "nothing is believed: where the scans fit best, the map is " << middle
+       << " times as large as they are. Are units or ranges right, or is it another building?";
+  return text.str();
+}
+
 std::string localization_header() {
   std::string header = "stamp,state,begun,x,y,z,qx,qy,qz,qw,overlap,through,hypotheses,ms";
   constexpr const char* kAxes[] = {"rx", "ry", "rz", "tx", "ty", "tz"};
@@ -70,7 +93,7 @@ void write_hypotheses(const std::filesystem::path& path, const LocalizationRecor
                       const std::optional<Pose>& T_base_lidar) {
   std::ostringstream out;
   out << "stamp,state,rank,x,y,z,qx,qy,qz,qw,likeness,against,in_favour,overlap,landmarks,fitness,through,"
-         "degenerate_directions\n"
+         "degenerate_directions,scale\n"
       << std::setprecision(6);
   for (const LocalizationRow& row : record.rows) {
     for (std::size_t i = 0; i < row.hypotheses.size(); ++i) {
@@ -78,7 +101,7 @@ void write_hypotheses(const std::filesystem::path& path, const LocalizationRecor
       out << exact_text(row.stamp) << ',' << names_of(row.state)[std::size_t(row.state)] << ',' << i
           << pose_cells(pose_of_base(h.T_map_lidar, T_base_lidar)) << ',' << h.likeness << ',' << h.against << ','
           << h.in_favour << ',' << h.overlap << ',' << h.landmarks << ',' << h.fitness << ',' << h.through << ','
-          << h.degenerate_directions << '\n';
+          << h.degenerate_directions << ',' << h.scale << '\n';
     }
   }
   write_text(path, out.str());

@@ -20,6 +20,7 @@ struct HypothesisRow {
   double overlap = 0.0, landmarks = 0.0;  ///< [-]
   double fitness = 0.0;                   ///< [m]
   double through = 0.0;                   ///< [-]
+  double scale = 1.0;                     ///< [-] the map's size over that of the scans
   int degenerate_directions = 0;
 };
 
@@ -49,6 +50,10 @@ std::vector<MapStateInterval> state_intervals(const LocalizationRecord& record);
 
 /// [s] from each beginning, and each loss, to the first scan that was located, where there was one.
 std::vector<double> times_to_answer(const LocalizationRecord& record);
+
+/// Why nothing was found, where one reason runs through the searches: a sentence, or nothing. `max_scale_error` is that of
+/// the searches.
+std::optional<std::string> reason_of_failure(const LocalizationRecord& record, double max_scale_error);
 
 /// localization.csv, lines with their ends; poses are of base_link where it is known how the LiDAR is mounted.
 std::string localization_header();

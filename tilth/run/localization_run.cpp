@@ -16,7 +16,7 @@ HypothesisRow row_of(const PlaceFit& fit, const PlaceFit& best) {
   const PairedFit shares = paired(best, fit);
   row.against = shares.first, row.in_favour = shares.second;
   row.overlap = fit.overlap.ratio, row.landmarks = fit.overlap.landmarks, row.fitness = fit.overlap.fitness;
-  row.through = fit.through;
+  row.through = fit.through, row.scale = fit.scale;
   row.degenerate_directions = fit.determined.degenerate_directions;
   return row;
 }
@@ -127,6 +127,10 @@ RunEnd localize(ScanSource& source, Localizer& localizer, const LocalizationRunO
   for (const SkippedScan& skipped : record.skipped) observer.warn("skipped: " + skipped.where + ": " + skipped.what);
   record.notices = source.notices();
   for (const std::string& notice : record.notices) observer.note(notice);
+  if (const auto reason = reason_of_failure(*record.localization, localizer.options().find.max_scale_error)) {
+    observer.warn(*reason);
+    record.notices.push_back(*reason);
+  }
   record.ended = to_text(end);
   record.wall_seconds = stopwatch.seconds();
   record.peak_megabytes = peak_megabytes();
