@@ -44,5 +44,16 @@ TEST(TrackRecord, AGapIsALossWithoutScans) {
   EXPECT_EQ(loss_sentence(table), "the track was lost from 0.500 s to 1.000 s (no scans for too long)");
 }
 
+TEST(TrackRecord, ARunThatEndsOnPredictionAloneSaysSo) {
+  ScanTable table = sample_record().scans;
+  table.rows.back().track = {TrackState::coasting, TrackReason::jump};
+  EXPECT_TRUE(was_lost(table));
+  EXPECT_TRUE(track_losses(table).empty());
+  EXPECT_NE(loss_sentence(table).find("the track is not known at the end (1 scan since "), std::string::npos)
+      << loss_sentence(table);
+  table.rows.front().track = {TrackState::lost, TrackReason::poor_fit};
+  EXPECT_NE(loss_sentence(table).find("); the track is not known at the end"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace tilth

@@ -17,14 +17,25 @@ bool ends_gap(const Track& track) {
   return track.state == TrackState::recovered && track.reason == TrackReason::long_gap;
 }
 
+std::string counted_scans(std::size_t scans) {
+  return std::to_string(scans) + (scans == 1 ? " scan" : " scans");
+}
+
 std::string words(const TrackLoss& loss) {
   char text[96];
   std::snprintf(text, sizeof text, "from %.3f s to %.3f s (", loss.from, loss.to);
   std::string sentence = text;
-  if (loss.scans > 0) sentence += std::to_string(loss.scans) + (loss.scans == 1 ? " scan: " : " scans: ");
+  if (loss.scans > 0) sentence += counted_scans(loss.scans) + ": ";
   for (std::size_t i = 0; i < loss.reasons.size(); ++i)
     sentence.append(i == 0 ? "" : "; ").append(names_of(TrackReason{})[std::size_t(loss.reasons[i])]);
   return sentence + ")";
+}
+
+std::string words_of_end(const TrackInterval& coasting) {
+  char since[32];
+  std::snprintf(since, sizeof since, "%.3f", coasting.from);
+  return "the track is not known at the end (" + counted_scans(coasting.scans) + " since " + since +
+         " s: " + std::string(names_of(TrackReason{})[std::size_t(coasting.track.reason)]) + ")";
 }
 
 }  // namespace
@@ -52,6 +63,7 @@ TrackState track_at_end(const ScanTable& table) {
 }
 
 bool was_lost(const ScanTable& table) {
+  if (track_at_end(table) == TrackState::coasting) return true;
   return std::any_of(table.rows.begin(), table.rows.end(),
                      [](const ScanRow& row) { return row.track.state == TrackState::lost || ends_gap(row.track); });
 }
@@ -79,6 +91,8 @@ std::string loss_sentence(const ScanTable& table) {
   for (std::size_t i = 0; i < std::min(losses.size(), kMostLosses); ++i)
     sentence += (i == 0 ? "the track was lost " : ", ") + words(losses[i]);
   if (losses.size() > kMostLosses) sentence += " and " + std::to_string(losses.size() - kMostLosses) + " times more";
+  if (track_at_end(table) == TrackState::coasting)
+    sentence += (sentence.empty() ? "" : "; ") + words_of_end(track_intervals(table).back());
   return sentence;
 }
 

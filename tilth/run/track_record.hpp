@@ -23,7 +23,8 @@ std::vector<TrackInterval> track_intervals(const ScanTable& table);
 /// Of the last row.
 TrackState track_at_end(const ScanTable& table);
 
-/// Whether the track was lost in any row or gap.
+/// Whether the track was lost in any row or gap, or only predicted in the last row: nobody knows whether it would have
+/// been found again.
 bool was_lost(const ScanTable& table);
 
 /// Scans in a row that were lost, whatever the reasons, or a gap between two.
@@ -35,8 +36,8 @@ struct TrackLoss {
 
 std::vector<TrackLoss> track_losses(const ScanTable& table);
 
-/// "the track was lost from 12.300 s to 13.100 s (9 scans: no scans for too long); ...", stamps as they are; empty
-/// where it never was.
+/// "the track was lost from 12.300 s to 13.100 s (9 scans: no scans for too long); ...", stamps as they are; and
+/// whether it is known at the end. Empty where it never was lost.
 std::string loss_sentence(const ScanTable& table);
 
 }  // namespace tilth
