@@ -143,6 +143,18 @@ TEST(RecordMender, ReadsNumbersInTheOrderTheyAreIn) {
   EXPECT_TRUE(says(mender.notices(), "1 clouds state another"));
 }
 
+// Some drivers write a number beyond all sense where nothing came back.
+TEST(RecordMender, PointsBeyondAllSenseAreNoPlane) {
+  const auto first = scans_of([](int k) {
+    std::vector<Shot> shots = shots_of({{-15.0, -5.0, 5.0, 15.0}, 0.1, 10.0 * k, 270});
+    for (std::size_t i = 0; i < shots.size(); i += 19) shots[i].point = Eigen::Vector3d::Constant(1e9);
+    return records_of(shots, {});
+  });
+  RecordMender mender(first, {});
+  for (StampedRecords scan : first) mender.mend(scan.records);
+  EXPECT_FALSE(says(mender.notices(), "millimetres"));
+}
+
 TEST(RecordMender, RefusesFlatClouds) {
   const auto flat = [](double height, double tilt) {
     return scans_of([=](int k) {

@@ -50,6 +50,16 @@ TEST(ScanSurvey, NamesGaps) {
   EXPECT_TRUE(warns(survey, "0.60 s pass after scan 7"));
 }
 
+TEST(ScanSurvey, WarnsOfScansThatLastLongerThanTheirSteps) {
+  ScanSurvey right, twice;
+  for (int i = 0; i < 20; ++i) {
+    right.add(scan(0.1 * i, 3000, 3.0));
+    twice.add(scan(0.05 * i, 3000, 3.0));
+  }
+  EXPECT_FALSE(warns(right, "do not run at the same speed"));
+  EXPECT_TRUE(warns(twice, "scans come every 0.050 s"));
+}
+
 TEST(ScanSurvey, WarnsOfWhatIsMissingOrOdd) {
   ScanSurvey bare;
   EXPECT_TRUE(warns(bare, "not one scan"));

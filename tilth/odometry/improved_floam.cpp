@@ -97,7 +97,7 @@ AlignResult ImprovedFloam::register_features(MatchedPatches<MapSurface>& feature
                                              const AlignOptions& align_options) const {
   if (motion_.updates() == 0) {
     AlignResult first = unmatched(T_start);
-    first.converged = features.patches.size() >= std::size_t(options_.align.min_matches);
+    first.converged = enough(features.patches.size());
     first.candidates = features.patches.size();
     if (first.converged) first.covariance.setZero();
     return first;

@@ -91,6 +91,7 @@ class ImprovedFloam : public Odometry {
   Registration search(const FeatureScan& scan, const Registration& expected);
   /// The second scan, if the sensor moved in the first one already.
   Registration search_start(const FeatureScan& scan, const Registration& from_rest);
+  bool enough(std::size_t matches) const { return matches >= std::size_t(options_.align.min_matches); }
   bool belongs_in_map(const AlignResult& alignment, double stamp) const;
   void insert(SurfacePatches patches, const FeatureScan& scan, const Registration& registration);
   void straighten_first(const Vector6d& velocity);

@@ -22,7 +22,7 @@ ImprovedFloam::Registration ImprovedFloam::find(const FeatureScan& scan) {
   const double interval = scan.stamp - motion_.last_time();
   if (motion_.updates() == 1) {
     if (fit_of(found.alignment) < kSureFit) found = search_start(scan, found);
-  } else if (usual_.is_doubtful(found.alignment, interval)) {
+  } else if (enough(scan.features.size()) && usual_.is_doubtful(found.alignment, interval)) {
     found = search(scan, found);
   }
   if (interval < kMapGivenUp || belongs_in_map(found.alignment, scan.stamp)) return found;
@@ -63,7 +63,7 @@ ImprovedFloam::Registration ImprovedFloam::search(const FeatureScan& scan, const
   const Registration by_mean = register_scan_from(scan, tried[choice.best].T_target_source);
   const Registration by_last = register_once(scan, by_mean.alignment.T_target_source, motion, options_.align);
   for (const Registration& other : {by_mean, by_last})
-    if (fit_of(other.alignment) > fit_of(found.alignment)) found = other;
+    if (enough(other.alignment.matches) && fit_of(other.alignment) > fit_of(found.alignment)) found = other;
   return found;
 }
 

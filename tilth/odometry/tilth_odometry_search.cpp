@@ -24,7 +24,7 @@ ContinuousTimeAlignment TilthOdometry::align(const ScanPatches& scan, const Moti
   if (!world_.empty()) {
     const bool second = world_.awaits_second();
     ContinuousTimeAlignment found = second ? align_second(scan, prior) : align_to_map(scan, prior);
-    if (!second && usual_.is_doubtful(found.pose, prior.interval)) found = search(scan, prior, found);
+    if (!second && enough && usual_.is_doubtful(found.pose, prior.interval)) found = search(scan, prior, found);
     if (!enough || prior.interval < kMapGivenUp || belongs_in_map(found, prior.interval)) return found;
     begin_anew(predicted(prior));
   }
@@ -64,7 +64,8 @@ ContinuousTimeAlignment TilthOdometry::search(const ScanPatches& scan, const Mot
   ambiguous_ = choice.ambiguous && (choice.best > 0 || prior.interval > kPredictable);
   start.T_map_lidar = tried[choice.best].pose.T_target_source, start.motion = tried[choice.best].motion;
   const ContinuousTimeAlignment found = align_to_map(scan, prior, start);
-  return fit_of(found.pose) > fit_of(expected.pose) ? found : expected;
+  const bool enough = found.pose.matches >= std::size_t(options_.align.min_matches);
+  return enough && fit_of(found.pose) > fit_of(expected.pose) ? found : expected;
 }
 
 ContinuousTimeAlignment TilthOdometry::align_second(const ScanPatches& scan, MotionPrior prior) {

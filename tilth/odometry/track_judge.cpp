@@ -17,13 +17,12 @@ constexpr double kLeastFit = 0.35;   // of it: good runs of any pipeline keep ab
 }  // namespace
 
 Track TrackJudge::judge(const OdometryResult& result) {
-  const bool begins = sizes_.value() == 0;
-  const double interval = begins ? 0.0 : result.stamp - last_.stamp;
-  if (!begins && !UsualFit::is_unmatched(result.alignment)) recent_.add(fit_of(result.alignment));
+  const double interval = last_ ? result.stamp - last_->stamp : 0.0;
+  if (last_ && !UsualFit::is_unmatched(result.alignment)) recent_.add(fit_of(result.alignment));
   const TrackReason reason = doubt(result, interval);
   track_ = reason == TrackReason::none ? believed(interval) : doubted(reason, result, interval);
   const Vector6d velocity = velocity_to(result, interval);
-  last_ = {result.stamp, result.T_world_lidar, velocity};
+  last_ = Last{result.stamp, result.T_world_lidar, velocity};
   if (begins_map(result)) usual_.forget();
   const bool fits = reason == TrackReason::none || reason == TrackReason::new_map;
   if (!fits) usual_.doubt();
@@ -44,14 +43,15 @@ TrackReason TrackJudge::doubt(const OdometryResult& result, double interval) con
   if (recent_.size() >= kSome && std::max(recent_.value(), fit_of(alignment)) < kLeastFit) return TrackReason::poor_fit;
   if (result.relative) return TrackReason::new_map;
   if (since_doubt_ < kStart || !(interval > 0)) return TrackReason::none;
-  const Vector6d change = (velocity_to(result, interval) - last_.velocity) / interval;
+  const Vector6d change = (velocity_to(result, interval) - last_->velocity) / interval;
   const bool leaps = change.head<3>().norm() > kTurnLeap || change.tail<3>().norm() > kLeap;
   return leaps ? TrackReason::jump : TrackReason::none;
 }
 
 Vector6d TrackJudge::velocity_to(const OdometryResult& result, double interval) const {
-  if (!(interval > 0)) return last_.velocity;
-  return log(last_.T_world_lidar.inverse() * result.T_world_lidar) / interval;
+  if (!last_) return Vector6d::Zero();
+  if (!(interval > 0)) return last_->velocity;
+  return log(last_->T_world_lidar.inverse() * result.T_world_lidar) / interval;
 }
 
 Track TrackJudge::doubted(TrackReason reason, const OdometryResult& result, double interval) {

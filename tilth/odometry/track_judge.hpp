@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include <tilth/core/track_state.hpp>
 #include <tilth/odometry/odometry.hpp>
@@ -33,7 +34,7 @@ class TrackJudge {
   UsualFit usual_{{.poor = 0.56, .sure = 0.8}};  // whatever the pipeline: good runs of some fall to 0.57
   RunningMedian sizes_{21};                      // candidates of the scans that were believed
   RunningMedian recent_{5};                      // fits of the scans that were matched at all
-  Last last_;
+  std::optional<Last> last_;
   Track track_;
   double unknown_ = 0.0;
   bool map_spoilt_ = false;      // by scans that were not where they were thought to be

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include <tilth/core/evenly_chosen.hpp>
+#include <tilth/core/median.hpp>
 #include <tilth/recording/record_edit.hpp>
 
 namespace tilth {
@@ -25,6 +26,22 @@ void append_number(double value, std::endian order, std::vector<std::byte>& byte
   auto raw = std::bit_cast<std::array<std::byte, sizeof(double)>>(value);
   if (order != std::endian::native) std::reverse(raw.begin(), raw.end());
   bytes.insert(bytes.end(), raw.begin(), raw.end());
+}
+
+/// Takes out points that lie farther from the middle of the others than any sensor sees, whatever the unit: numbers
+/// that some drivers write where nothing came back.
+void erase_strays(std::vector<Eigen::Vector3d>& points) {
+  constexpr double kTimesAsFar = 300;  // as half of the points lie
+  if (points.empty()) return;
+  Eigen::Vector3d middle;
+  std::vector<double> values(points.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    std::transform(points.begin(), points.end(), values.begin(), [&](const auto& p) { return p[axis]; });
+    middle[axis] = median(values);
+  }
+  std::transform(points.begin(), points.end(), values.begin(), [&](const auto& p) { return (p - middle).norm(); });
+  const double most = kTimesAsFar * median(values);
+  std::erase_if(points, [&](const Eigen::Vector3d& p) { return (p - middle).norm() > most; });
 }
 
 }  // namespace
@@ -55,6 +72,7 @@ std::vector<Eigen::Vector3d> measured_sample(const PointRecords& records, std::s
   const PointRecords sample = sampled_records(records, count);
   std::vector<Eigen::Vector3d> points = coordinates_of(sample, roles_of(sample));
   std::erase_if(points, [](const Eigen::Vector3d& p) { return !p.allFinite() || p.isZero(0.0); });
+  erase_strays(points);
   return points;
 }
 

@@ -21,8 +21,8 @@ PointRecords sampled_records(const PointRecords& records, std::size_t count);
 /// x y z of every record, whatever they are.
 std::vector<Eigen::Vector3d> coordinates_of(const PointRecords& records, const PointFieldRoles& roles);
 
-/// The points of at most `count` of the records, evenly spread, that are finite and not (0, 0, 0). x, y and z must be
-/// there.
+/// The points of at most `count` of the records, evenly spread, that are finite and not (0, 0, 0), without
+/// strays that lie farther off than any sensor sees. x, y and z must be there.
 std::vector<Eigen::Vector3d> measured_sample(const PointRecords& records, std::size_t count);
 
 /// `points`, one a record, in place of the coordinates: x y z as float64 in front of what the records hold beside.

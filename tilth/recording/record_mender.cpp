@@ -94,7 +94,7 @@ void RecordMender::mend(PointRecords& records) {
   }
   leave_out_bad_values(records);
   const LengthUnit before = unit_;
-  follow_unit(records, *roles);
+  follow_unit(records);
   if (unit_ != before)
     changes_.push_back(text("unit: from scan %zu on coordinates are in ", scan) + to_text(unit_) + ", before in " +
                        to_text(before));
@@ -119,12 +119,10 @@ void RecordMender::leave_out_bad_values(PointRecords& records) {
   take(roles.time, *times_, bad_times_);
 }
 
-void RecordMender::follow_unit(const PointRecords& records, const PointFieldRoles& roles) {
+void RecordMender::follow_unit(const PointRecords& records) {
   if (!range_) return;
-  std::vector<Eigen::Vector3d> points = coordinates_of(sampled_records(records, kSample), roles);
-  for (Eigen::Vector3d& p : points) {
-    if (!p.isZero(0.0)) p -= offset_;
-  }
+  std::vector<Eigen::Vector3d> points = measured_sample(records, kSample);
+  for (Eigen::Vector3d& p : points) p -= offset_;
   const std::optional<ScanExtent> extent = extent_of(points);
   if (!extent) return;
   unit_ = unit_after(unit_, *range_, *extent);

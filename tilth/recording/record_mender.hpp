@@ -35,7 +35,7 @@ class RecordMender {
   };
 
   void decide_unit(std::span<const PointRecords> first, LengthUnit asked);
-  void follow_unit(const PointRecords& records, const PointFieldRoles& roles);
+  void follow_unit(const PointRecords& records);
   void leave_out_bad_values(PointRecords& records);
   void to_metres(PointRecords& records, const PointFieldRoles& roles) const;
 

@@ -9,6 +9,7 @@ namespace {
 constexpr double kNear = 1.0;                      ///< [m]
 constexpr double kManyNear = 0.3;                  ///< of the points
 constexpr double kSlowest = 4.0, kFastest = 25.0;  ///< [Hz] of usual sensors
+constexpr double kOverlapping = 1.5;               ///< times the step that a scan's own times span
 constexpr double kFewPoints = 2000.0;              ///< a scan
 constexpr std::size_t kMostGaps = 5;               ///< named one by one
 constexpr int kBarWidth = 40;
@@ -53,6 +54,12 @@ void warn_of_time(const ScanSurvey& survey, std::vector<std::string>& warnings) 
   }
   if (gaps.size() > kMostGaps) warnings.push_back(text("%zu more such gaps follow.", gaps.size() - kMostGaps));
   const double rate = survey.step() > 0.0 ? 1.0 / survey.step() : 0.0;
+  if (rate > 0.0 && survey.turn() > kOverlapping * survey.step()) {
+    warnings.push_back(
+        text("The points of a scan span %.3f s, but scans come every %.3f s: stamps and times of points do not run at "
+             "the same speed, or scans overlap. Poses have the times of the stamps.",
+             survey.turn(), survey.step()));
+  }
   if (rate > 0.0 && (rate < kSlowest || rate > kFastest)) {
     warnings.push_back(
         text("%.1f scans a second are unusual (sensors turn 5 to 20 times). Were scans left out or cut "
