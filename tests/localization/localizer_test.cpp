@@ -10,11 +10,12 @@ namespace {
 
 const std::vector<double> kDoors{3, 4.7, 9, 13, 14.5, 19, 21, 23.5};
 
-Simulator corridor_drive(const CorridorPlan& plan, double seconds, int seed) {
+Simulator corridor_drive(const CorridorPlan& plan, double seconds, int seed, const std::string& sensor = "vlp16") {
   const std::vector<Leg> legs{{1, 0, 0}, {seconds, 1.0, 0}, {1, 0, 0}};
   return Simulator(
       corridor_scene(plan, legs),
-      simulation_options("corridor", {{"seed", std::to_string(seed)}, {"people", "0"}, {"columns", "600"}}));
+      simulation_options("corridor",
+                         {{"seed", std::to_string(seed)}, {"people", "0"}, {"columns", "600"}, {"sensor", sensor}}));
 }
 
 Localizer::MakeOdometry true_odometry(const Simulator& simulator) {
@@ -50,6 +51,21 @@ TEST(Localizer, FindsItselfInTheMiddleOfACorridorAndStaysThere) {
   }
   EXPECT_GE(located, 50U);
   EXPECT_LT(worst, 0.05);
+}
+
+TEST(Localizer, FindsASensorOfManyBeamsInTheMapOfOneOfFew) {
+  const CorridorPlan plan{26, kDoors};
+  const Simulator mapped = corridor_drive(plan, 20, 312), driven = corridor_drive(plan, 20, 313, "os1_64");
+  const MadeMap map = map_of(mapped);
+  Localizer localizer(map, true_odometry(driven), {}, std::nullopt);
+  std::size_t located = 0;
+  for (std::size_t i = 100; i < 130; ++i) {
+    const LocatedScan scan = localizer.add(driven.scan(i).scan);
+    if (!scan.T_map_lidar) continue;
+    EXPECT_LT(error_of(scan, mapped, driven), 0.05) << "at scan " << i;
+    ++located;
+  }
+  EXPECT_GT(located, 10U);
 }
 
 TEST(Localizer, CallsIdenticalDoorsAmbiguous) {

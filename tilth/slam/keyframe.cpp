@@ -2,6 +2,7 @@
 
 #include <tilth/core/symmetric3.hpp>
 #include <tilth/preprocess/deskew.hpp>
+#include <tilth/preprocess/sparse_beams.hpp>
 #include <tilth/slam/keyframe.hpp>
 
 namespace tilth {
@@ -17,10 +18,13 @@ SurfacePatches thinned(SurfacePatches patches, std::size_t most) {
 }
 
 /// The patches of a scan without outliers, in the frame of its cloud.
-SurfacePatches patches_of(const OdometryResult& result, const PatchOptions& options) {
-  if (!result.T_lidar_sensor) return surface_patches(result.filtered, options);
+SurfacePatches patches_of(const OdometryResult& result, const KeyframeOptions& options) {
+  const auto patches_in = [&](PointCloud cloud) {
+    return surface_patches(sparse_beams(std::move(cloud), options.beam_spacing), options.patches);
+  };
+  if (!result.T_lidar_sensor) return patches_in(result.filtered);
   const Pose& T_lidar_sensor = *result.T_lidar_sensor;
-  SurfacePatches patches = surface_patches(transform(result.filtered, T_lidar_sensor.inverse()), options);
+  SurfacePatches patches = patches_in(transform(result.filtered, T_lidar_sensor.inverse()));
   for (SurfacePatch& patch : patches) {
     patch.mean = T_lidar_sensor * patch.mean;
     patch.covariance = rotated(T_lidar_sensor.linear(), patch.covariance).matrix();
@@ -37,7 +41,7 @@ bool is_keyframe(const Pose& T_last_now, const KeyframeOptions& options) {
 }
 
 SurfacePatches keyframe_patches(const OdometryResult& result, double scan_stamp, const KeyframeOptions& options) {
-  return deskew(thinned(patches_of(result, options.patches), std::size_t(options.max_patches)), result.motion,
+  return deskew(thinned(patches_of(result, options), std::size_t(options.max_patches)), result.motion,
                 result.stamp - scan_stamp);
 }
 

@@ -13,6 +13,7 @@ struct KeyframeOptions {
   double distance = 1.0;
   double angle = 30.0;
   int max_patches = 1200;
+  double beam_spacing = 1.25;
   PatchOptions patches;
   ScanContextOptions context;
 };
@@ -22,6 +23,8 @@ void visit(KeyframeOptions& o, V&& v) {
   v("distance", o.distance, Bounds{0.01, 1000}, "[m] travelled since the last keyframe makes a new one");
   v("angle", o.angle, Bounds{0.1, 180}, "[deg] turned since the last keyframe makes a new one");
   v("max_patches", o.max_patches, Bounds{50, 1e6}, "[patches] kept of a keyframe at most, evenly over the scan",
+    kAdvanced);
+  v("beam_spacing", o.beam_spacing, Bounds{0, 90}, "[deg] of elevation between the beams that are used, at least",
     kAdvanced);
   v("patches", o.patches, "[-] patches of surface", kAdvanced);
   v("context", o.context, "[-] descriptor of a place", kAdvanced);
