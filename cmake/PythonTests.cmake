@@ -39,9 +39,11 @@ if(BUILD_TESTING)
   tilth_python_test(documents_command_lines documents/check_command_lines.py $<TARGET_FILE:tilth_app>)
   tilth_python_test(documents_completion documents/check_completion.py $<TARGET_FILE:tilth_app>)
   tilth_python_test(documents_translation documents/check_translation.py)
-  if(NOT TILTH_SANITIZE) # the wheels of ROS 2 are not built for it
+  if(NOT TILTH_SANITIZE) # neither ROS is built for it
     add_test(NAME ros2 COMMAND ${PROJECT_SOURCE_DIR}/scripts/test_ros2 jazzy ${PROJECT_BINARY_DIR})
     set_tests_properties(ros2 PROPERTIES SKIP_RETURN_CODE 77 COST 1000)
+    add_test(NAME ros1 COMMAND ${PROJECT_SOURCE_DIR}/scripts/test_ros1 ${PROJECT_BINARY_DIR})
+    set_tests_properties(ros1 PROPERTIES SKIP_RETURN_CODE 77 COST 1000 ENVIRONMENT TILTH_INSTALL=never)
   endif()
   if(TILTH_PYTHON)
     tilth_python_test(python_package python/check_package.py ${PROJECT_BINARY_DIR}/python)

@@ -15,10 +15,11 @@ ARGUMENTS = (
     ("points", "/points", "topic of the clouds (sensor_msgs/PointCloud2)"),
     ("base_from_lidar", "", "x,y,z,roll,pitch,yaw [m, deg] of the LiDAR on the robot; empty: poses are of the LiDAR"),
     ("loop_closure", "false", "correct map -> odom where places are seen again"),
+    ("map", "", "folder of a saved map to be found in; empty: a map is made"),
     ("use_sim_time", "false", "time is that of /clock"),
     ("rviz", "false", "show it"),
 )
-PARAMETERS = {"base_from_lidar": str, "loop_closure": bool, "use_sim_time": bool}
+PARAMETERS = {"base_from_lidar": str, "loop_closure": bool, "map": str, "use_sim_time": bool}
 
 
 def generate_launch_description():

@@ -1,8 +1,6 @@
 #include "parameters.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <rcl/arguments.h>
 #include <rcl_interfaces/msg/floating_point_range.h>
 #include <rcl_interfaces/msg/parameter_descriptor.h>
@@ -19,6 +17,7 @@
 #include <rosidl_runtime_c/primitives_sequence_functions.h>
 
 #include <tilth/core/error.hpp>
+#include <tilth/node/parameter_value.hpp>
 
 namespace tilth::ros2 {
 namespace {
@@ -39,32 +38,21 @@ bool is_meant(const std::string& pattern, const std::string& node) {
   return std::regex_match(node, std::regex(expression));
 }
 
-std::string text_of(double value) {
-  constexpr double kWhole = 9007199254740992.0;  // 2^53
-  if (std::abs(value) < kWhole && value == std::floor(value)) return std::to_string(std::int64_t(value));
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
 std::string text_of(const std::string& key, const rcl_variant_t& value) {
   if (value.bool_value != nullptr) return *value.bool_value ? "true" : "false";
   if (value.integer_value != nullptr) return std::to_string(*value.integer_value);
-  if (value.double_value != nullptr) return text_of(*value.double_value);
+  if (value.double_value != nullptr) return parameter_text(*value.double_value);
   if (value.string_value != nullptr) return value.string_value;
   throw Error("parameter " + key, "is a list: expected one value");
 }
 
 std::uint8_t kind_of(const OptionInfo& option) {
-  if (option.allowed == "true | false") return rcl_interfaces__msg__ParameterType__PARAMETER_BOOL;
-  if (option.allowed.find(" .. ") != std::string::npos) return rcl_interfaces__msg__ParameterType__PARAMETER_DOUBLE;
+  switch (type_of(option)) {
+    case ParameterType::flag: return rcl_interfaces__msg__ParameterType__PARAMETER_BOOL;
+    case ParameterType::number: return rcl_interfaces__msg__ParameterType__PARAMETER_DOUBLE;
+    case ParameterType::text: break;
+  }
   return rcl_interfaces__msg__ParameterType__PARAMETER_STRING;
-}
-
-double number_of(const std::string& text) {
-  if (text == "inf" || text == "-inf") return text == "inf" ? HUGE_VAL : -HUGE_VAL;
-  double value = 0.0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
 }
 
 void describe(const OptionInfo& option, rcl_interfaces__msg__ParameterDescriptor& to) {
@@ -73,18 +61,20 @@ void describe(const OptionInfo& option, rcl_interfaces__msg__ParameterDescriptor
   assign(to.name, option.key);
   assign(to.description, "[" + option.unit + "] " + option.meaning);
   assign(to.additional_constraints, option.allowed);
-  if (to.type != rcl_interfaces__msg__ParameterType__PARAMETER_DOUBLE) return;
-  const std::size_t dots = option.allowed.find(" .. ");
+  if (type_of(option) != ParameterType::number) return;
+  const Bounds bounds = bounds_of(option);
   rcl_interfaces__msg__FloatingPointRange__Sequence__init(&to.floating_point_range, 1);
-  to.floating_point_range.data[0].from_value = number_of(option.allowed.substr(0, dots));
-  to.floating_point_range.data[0].to_value = number_of(option.allowed.substr(dots + 4));
+  to.floating_point_range.data[0].from_value = bounds.min;
+  to.floating_point_range.data[0].to_value = bounds.max;
 }
 
 void set_value(const OptionInfo& option, rcl_interfaces__msg__ParameterValue& to) {
   to.type = kind_of(option);
-  to.bool_value = option.value == "true";
-  to.double_value = number_of(option.value);
-  if (to.type == rcl_interfaces__msg__ParameterType__PARAMETER_STRING) assign(to.string_value, option.value);
+  switch (type_of(option)) {
+    case ParameterType::flag: to.bool_value = option.value == "true"; break;
+    case ParameterType::number: to.double_value = number_of(option); break;
+    case ParameterType::text: assign(to.string_value, option.value); break;
+  }
 }
 
 /// Calls `answer` with each of `parameters` that is asked for, and its place among those names.

@@ -64,6 +64,7 @@ class RclOutlet final : public NodeOutlet {
       warn(error.what());  // a message less: the run goes on
     }
   }
+  Serialization serialization() const override { return Serialization::cdr; }
   bool wanted(NodeTopic topic) override { return of(topic).listeners() > 0; }
   void note(const std::string& sentence) override { RCUTILS_LOG_INFO_NAMED(node_.logger(), "%s", sentence.c_str()); }
   void warn(const std::string& sentence) override { RCUTILS_LOG_WARN_NAMED(node_.logger(), "%s", sentence.c_str()); }
@@ -94,11 +95,7 @@ class Inlet {
       clock_ = std::make_unique<MessageSubscription>(node, ROSIDL_GET_MSG_TYPE_SUPPORT(rosgraph_msgs, msg, Clock),
                                                      "/clock", qos);
     services_ = parameter_services(node, options, sim_time_);
-    add_trigger("~/save_map", [this] { return slam_.save_map(); });
-    add_trigger("~/reset", [this] {
-      slam_.reset();
-      return std::string("begins anew with the next clouds");
-    });
+    for (const char* name : SlamNode::kServices) add_trigger(name);
   }
 
   /// Hands over what comes, until the program is interrupted.
@@ -117,15 +114,12 @@ class Inlet {
   }
 
  private:
-  void add_trigger(const std::string& name, std::function<std::string()> act) {
-    services_.push_back(std::make_unique<TypedService<TriggerService>>(
-        node_, name, [act = std::move(act)](const auto&, auto& response) {
-          try {
-            assign(response.message, act());
-            response.success = true;
-          } catch (const std::exception& error) {
-            assign(response.message, error.what());
-          }
+  void add_trigger(const std::string& name) {
+    services_.push_back(
+        std::make_unique<TypedService<TriggerService>>(node_, "~/" + name, [this, name](const auto&, auto& response) {
+          const SlamNode::Answer answer = slam_.serve(name);
+          response.success = answer.success;
+          assign(response.message, answer.message);
         }));
   }
 

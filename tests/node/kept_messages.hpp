@@ -18,11 +18,14 @@ namespace tilth {
 /// Keeps what a node hands out.
 class Kept final : public NodeOutlet {
  public:
+  explicit Kept(Serialization serialization = Serialization::cdr) : serialization_(serialization) {}
+
   void publish(NodeTopic topic, std::span<const std::byte> message) override {
     const std::lock_guard lock(mutex_);
     messages_[topic].emplace_back(message.begin(), message.end());
     changed_.notify_all();
   }
+  Serialization serialization() const override { return serialization_; }
   bool wanted(NodeTopic) override { return true; }
   void note(const std::string&) override {}
   void warn(const std::string& sentence) override {
@@ -43,6 +46,7 @@ class Kept final : public NodeOutlet {
   }
 
  private:
+  Serialization serialization_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::map<NodeTopic, std::vector<std::vector<std::byte>>> messages_;

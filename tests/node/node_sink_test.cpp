@@ -42,7 +42,7 @@ class LoopedRun {
     slam_ = slam.get();
     session_ = std::make_unique<Session>(std::make_unique<UnhurriedScans>(std::move(scans), *slam_),
                                          Pipeline{std::move(slam)});
-    session_->add(std::make_unique<NodeSink>(NodeSink::Surroundings{settings_, inbox_, slam_, kept}, "velodyne"));
+    session_->add(std::make_unique<NodeSink>(NodeSurroundings{settings_, inbox_, kept}, slam_, "velodyne"));
     session_->run();
     EXPECT_TRUE(session_->finish().empty());
   }

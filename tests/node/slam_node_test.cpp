@@ -3,13 +3,13 @@
 #include <functional>
 #include <io/temporary_folder.hpp>
 #include <map>
+#include <node/driven_clouds.hpp>
 #include <node/kept_messages.hpp>
 #include <thread>
 
 #include <gtest/gtest.h>
 
 #include <tilth/core/error.hpp>
-#include <tilth/io/cloud_records.hpp>
 #include <tilth/io/trajectory_file.hpp>
 #include <tilth/messages/point_cloud2.hpp>
 #include <tilth/node/node_options.hpp>
@@ -18,7 +18,6 @@
 #include <tilth/run/base_frame.hpp>
 #include <tilth/run/session.hpp>
 #include <tilth/sources/cloud_source.hpp>
-#include <tilth/sources/open_source.hpp>
 
 namespace tilth {
 namespace {
@@ -27,19 +26,11 @@ constexpr std::size_t kClouds = 20;
 constexpr double kStill = 5.0;  // [s] for which the sensor stands before it sets off
 const std::string kMount = "0.3,0.1,0.7,2,-3,20";
 
-/// Clouds of a drive along the corridor, as a driver sends them.
+constexpr const char* kDrive = "sim://corridor?seed=5&columns=450&speed=2&duration=7.6";
+
+/// Along the corridor.
 const std::vector<Message>& clouds() {
-  static const std::vector<Message> all = [] {
-    std::vector<Message> messages;
-    const auto source = open_source("sim://corridor?seed=5&columns=450&speed=2&duration=7.6", {});
-    while (const std::optional<Scan> scan = source->next()) {
-      if (scan->stamp < kStill) continue;
-      messages.push_back(
-          {0, std::uint64_t((scan->stamp + 0.1) * 1e9),
-           serialize_point_cloud2({scan->stamp, "velodyne", to_records(scan->cloud)}, Serialization::cdr)});
-    }
-    return messages;
-  }();
+  static const std::vector<Message> all = driven_clouds(kDrive, kStill);
   return all;
 }
 
@@ -82,6 +73,31 @@ TEST(SlamNode, FindsThePosesOfARunToTheLastBit) {
     EXPECT_EQ(pose.rotation.coeffs(), Eigen::Quaterniond(expected[i].T_world_lidar.linear()).coeffs());
     const double variance = std::bit_cast<double>(reader.number<std::uint64_t>("covariance"));
     EXPECT_EQ(variance > 0.0, i > 0) << "the first pose is where the frame begins";
+  }
+}
+
+/// The odometry that a node sends of the clouds, both in that serialisation.
+std::vector<ReadTransform> odometry_in(Serialization serialization) {
+  Kept kept(serialization);
+  SlamNode node(kKeepAll, kept);
+  const std::vector<Message> sent = driven_clouds(kDrive, kStill, serialization);
+  for (const Message& cloud : sent) node.take(cloud.bytes, cloud.stamp);
+  std::vector<ReadTransform> poses;
+  for (const std::vector<std::byte>& message : kept.wait_for(NodeTopic::odometry, sent.size())) {
+    RosMessageReader reader(message, serialization, "Odometry");
+    poses.push_back(read_transform(reader));
+  }
+  return poses;
+}
+
+TEST(SlamNode, FindsTheSamePosesInMessagesOfRos1) {
+  const std::vector<ReadTransform> here = odometry_in(Serialization::ros1), there = odometry_in(Serialization::cdr);
+  ASSERT_GE(here.size(), kClouds);
+  ASSERT_EQ(here.size(), there.size());
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    EXPECT_EQ(here[i].stamp, there[i].stamp);
+    EXPECT_EQ(here[i].child, there[i].child);
+    EXPECT_EQ(here[i].translation, there[i].translation);
   }
 }
 
@@ -199,6 +215,7 @@ TEST(NodeParameters, AreTheOptionsWithTheirBounds) {
   EXPECT_THROW(node_parameters({{"queue", "0"}}), Error);
   EXPECT_THROW(node_parameters({{"base_from_lidar", "1,2"}}), Error);
   EXPECT_THROW(node_parameters({{"pipeline", "none"}}), Error);
+  EXPECT_THROW(node_parameters({{"map", "somewhere"}, {"loop_closure", "true"}}), Error);
 }
 
 }  // namespace

@@ -142,21 +142,28 @@ def as_ros2(cloud):
     return message
 
 
-@pytest.fixture(scope="session")
-def recording(tmp_path_factory):
-    """Ten seconds of a drive, about 1 m/s, as a ROS 2 bag in MCAP, and its messages."""
-    folder = tmp_path_factory.mktemp("corridor")
-    scene = ["corridor", "--duration", "15", "--set", "speed=2"]  # it stands still for the first five seconds
-    subprocess.run([PROGRAM, "simulate", *scene, "--out", folder, "--format", "bag"], check=True)
+def drive(folder, seed, begin, end):
+    """Seconds `begin` to `end` of a drive along the corridor, about 1 m/s, as a ROS 2 bag in MCAP, and its messages;
+    truth.tum lies beside it."""
+    scene = ["corridor", "--duration", str(end), "--set", "speed=2", "world_seed=1", "--seed", str(seed)]
+    subprocess.run([PROGRAM, "simulate", *scene, "--out", folder, "--format", "bag", "--quiet"], check=True)
     store = get_typestore(Stores.ROS2_JAZZY)
     clouds = []
     mcap = Writer(folder / "mcap", version=9, storage_plugin=StoragePlugin.MCAP)
     with AnyReader([folder / "scans.bag"]) as bag, mcap as out:
         connection = out.add_connection("/clouds", "sensor_msgs/msg/PointCloud2", typestore=store)
-        for source, stamp, raw in list(bag.messages())[49:]:
+        for source, stamp, raw in bag.messages():
+            if stamp < begin * 1e9:
+                continue
             clouds.append(serialize_message(as_ros2(bag.deserialize(raw, source.msgtype))))
             out.write(connection, stamp, clouds[-1])
     return folder / "mcap", clouds
+
+
+@pytest.fixture(scope="session")
+def recording(tmp_path_factory):
+    """Ten seconds; before, it stands still."""
+    return drive(tmp_path_factory.mktemp("corridor"), 1, 5.0, 15.0)
 
 
 @pytest.fixture(scope="session")

@@ -1,9 +1,10 @@
 """What the node can be asked for: parameters, the map, a new beginning; and what it does where time falls back."""
 
-from conftest import PATIENCE, start, stop, until
+from conftest import PATIENCE, Peer, drive, start, stop, until
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
 from rclpy.parameter import Parameter
 from rosgraph_msgs.msg import Clock
+from simulated_truth import errors_in_map
 from std_srvs.srv import Trigger
 
 
@@ -91,3 +92,33 @@ def test_a_recording_that_is_played_again_begins_anew(peer, recording):
     code, said = stop(process)
     assert code == 0 and "the stamps of the clouds fall back" in said
     assert far(heard[60]) < 0.3, "the world begins at its first scan"
+
+
+def test_it_is_found_in_a_map_that_was_saved(peer, tmp_path):
+    (_, first), (_, second) = drive(tmp_path / "first", 5, 5.0, 15.0), drive(tmp_path / "second", 6, 7.0, 13.0)
+    process = start("reliable:=true", "queue:=500", "loop_closure:=true", f"save_map:={tmp_path}/map")
+    peer.play(first, 0.05)
+    until(lambda: len(peer.heard["/tilth/odometry"]) >= len(first), "all poses")
+    saved = peer.call(Trigger, "/tilth/save_map", Trigger.Request())
+    assert saved.success, saved.message
+    nowhere = peer.call(Trigger, "/tilth/localize", Trigger.Request())
+    assert not nowhere.success and "no map" in nowhere.message
+    stop(process)
+    process = start("reliable:=true", "queue:=500", f"map:={tmp_path}/map/places")
+    located = Peer(name="located")
+    heard, half = located.heard["/tf"], len(second) // 2
+    located.play(second[:half], 0.05)
+    until(lambda: len(heard) >= half, lambda: f"{len(heard)} transforms")
+    answer = located.call(Trigger, "/tilth/localize", Trigger.Request())
+    assert answer.success and "was located" in answer.message, answer.message
+    located.play(second[half:], 0.05)
+    until(lambda: len(heard) >= len(second), lambda: f"{len(heard)} transforms")
+    assert stop(process)[0] == 0
+    located.close()
+    for begins in (0, half):
+        assert [t.child_frame_id for t in heard[begins].transforms] == ["lidar"], "nothing is claimed"
+    errors = errors_in_map(heard, tmp_path / "map", tmp_path / "first", tmp_path / "second")
+    print(f"{len(errors)} of {len(heard)} poses in the map, {max(errors):.4f} m from the truth at most")
+    assert len(errors) > len(heard) / 2 and max(errors) < 0.05
+    (whole,) = located.heard["/tilth/map"]
+    assert whole.header.frame_id == "map" and whole.width > 1000

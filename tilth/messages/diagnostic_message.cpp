@@ -3,8 +3,8 @@
 
 namespace tilth {
 
-std::vector<std::byte> serialize_diagnostic(const Diagnostic& diagnostic) {
-  RosMessageWriter writer(Serialization::cdr);
+std::vector<std::byte> serialize_diagnostic(const Diagnostic& diagnostic, Serialization serialization) {
+  RosMessageWriter writer(serialization);
   writer.header(diagnostic.stamp, "", "DiagnosticArray");
   writer.u32(1);
   writer.u8(std::uint8_t(diagnostic.level));

@@ -1,4 +1,4 @@
-// diagnostic_msgs/DiagnosticArray as ROS 2 writes it (CDR): the state of a program, with its figures.
+// diagnostic_msgs/DiagnosticArray: the state of a program, with its figures.
 #pragma once
 
 #include <cstddef>
@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <tilth/messages/ros_message.hpp>
 
 namespace tilth {
 
@@ -19,6 +21,7 @@ struct Diagnostic {
 };
 
 /// An array of this one. Throws Error where the stamp lies outside [0, 2^32 - 1) s.
-std::vector<std::byte> serialize_diagnostic(const Diagnostic& diagnostic);
+std::vector<std::byte> serialize_diagnostic(const Diagnostic& diagnostic,
+                                            Serialization serialization = Serialization::cdr);
 
 }  // namespace tilth

@@ -27,8 +27,9 @@ Matrix6d covariance_in_world(const Matrix6d& covariance, const Pose& T_world_bod
 
 }  // namespace
 
-std::vector<std::byte> serialize_odometry(const StampedPose& pose, const Matrix6d& covariance, const Frames& frames) {
-  RosMessageWriter writer(Serialization::cdr);
+std::vector<std::byte> serialize_odometry(const StampedPose& pose, const Matrix6d& covariance, const Frames& frames,
+                                          Serialization serialization) {
+  RosMessageWriter writer(serialization);
   writer.header(pose.stamp, frames.world, "Odometry");
   writer.text(frames.body);
   put(writer, pose.T_world_lidar);
@@ -39,8 +40,8 @@ std::vector<std::byte> serialize_odometry(const StampedPose& pose, const Matrix6
   return writer.take();
 }
 
-std::vector<std::byte> serialize_tf(std::span<const StampedTransform> transforms) {
-  RosMessageWriter writer(Serialization::cdr);
+std::vector<std::byte> serialize_tf(std::span<const StampedTransform> transforms, Serialization serialization) {
+  RosMessageWriter writer(serialization);
   writer.u32(transforms.size());
   for (const StampedTransform& transform : transforms) {
     writer.header(transform.stamp, transform.frames.world, "TFMessage");
@@ -50,8 +51,8 @@ std::vector<std::byte> serialize_tf(std::span<const StampedTransform> transforms
   return writer.take();
 }
 
-std::vector<std::byte> serialize_path(const Trajectory& trajectory, const Frames& frames) {
-  RosMessageWriter writer(Serialization::cdr);
+std::vector<std::byte> serialize_path(const Trajectory& trajectory, const Frames& frames, Serialization serialization) {
+  RosMessageWriter writer(serialization);
   writer.header(trajectory.empty() ? 0.0 : trajectory.front().stamp, frames.world, "Path");
   writer.u32(trajectory.size());
   for (const StampedPose& pose : trajectory) {

@@ -1,5 +1,5 @@
-// What a node can be asked for: its own options, and under the same names as everywhere those of clouds, map, pipeline
-// and loop closure.
+// What a node can be asked for: its own options, and under the same names as everywhere those of clouds, map, pipeline,
+// loop closure and localisation.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +21,7 @@ struct NodeOptions {
   std::uint64_t queue = 5;
   std::uint64_t scan_points = 20'000, map_points = 200'000, path_poses = 5000;
   double map_period = 2.0;  ///< [s]
+  std::string map;          ///< folder; empty: a map is made
   std::string save_map = "tilth_map";
 };
 
@@ -44,6 +45,9 @@ void visit(NodeOptions& o, V&& v) {
   v("map_points", o.map_points, Bounds{1, 1e8}, "[points] most of a published map");
   v("path_poses", o.path_poses, Bounds{2, 1e7}, "[poses] most of a published path, about");
   v("map_period", o.map_period, Bounds{0, 3600}, "[s] between two maps, and two paths; 0: with every scan");
+  v("map", o.map,
+    "[-] folder of a saved map to be found in (`places` of save_map, or of `tilth run --save-map`); empty: a map is "
+    "made");
   v("save_map", o.save_map, "[-] folder that the service save_map writes");
 }
 

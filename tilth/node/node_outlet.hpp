@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <tilth/messages/ros_message.hpp>
+
 namespace tilth {
 
 enum class NodeTopic : std::uint8_t { odometry, tf, tf_static, path, scan, map, diagnostics };
@@ -25,7 +27,10 @@ class NodeOutlet {
  public:
   virtual ~NodeOutlet() = default;
 
-  /// `message` is CDR with its header, little-endian. Each topic's come one at a time, but from several threads.
+  /// How messages are to be written, and how the clouds that come are: always the same.
+  virtual Serialization serialization() const = 0;
+
+  /// `message` is little-endian. Each topic's come one at a time, but from several threads.
   virtual void publish(NodeTopic topic, std::span<const std::byte> message) = 0;
 
   /// Whether anybody listens: else a scan or path that nobody asked for is not made.

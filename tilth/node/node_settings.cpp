@@ -1,9 +1,11 @@
 #include <iterator>
 #include <utility>
 
+#include <tilth/core/error.hpp>
 #include <tilth/node/node_settings.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/run/base_frame.hpp>
+#include <tilth/run/new_record.hpp>
 
 namespace tilth {
 namespace {
@@ -29,12 +31,22 @@ NodeSettings read_settings(OptionValues values) {
   settings.clouds = taken<CloudOptions>(values);
   settings.map = taken<MapOptions>(values);
   settings.slam = taken<SlamOptions>(values);
+  settings.localization = taken<LocalizationOptions>(values);
+  if (settings.node.loop_closure && !settings.node.map.empty())
+    throw Error("loop_closure", "does not go with map: nothing is mapped where a saved map is used");
   if (settings.node.pipeline.empty()) settings.node.pipeline = pipelines().front().name;
   const std::string& mount = settings.node.base_from_lidar;
   if (!mount.empty()) settings.T_base_lidar = parse_mount(mount);
   make_odometry(settings.node.pipeline, values);
   settings.pipeline = std::move(values);
   return settings;
+}
+
+RunRecord new_record(const NodeSettings& settings) {
+  RunRecord record = new_record(kCloudTopic, settings.node.pipeline, settings.pipeline);
+  record.T_base_lidar = settings.T_base_lidar;
+  record.map = MapBuilder(settings.map);
+  return record;
 }
 
 std::vector<OptionInfo> node_parameters(const OptionValues& values) {
@@ -44,6 +56,7 @@ std::vector<OptionInfo> node_parameters(const OptionValues& values) {
   append(describe(settings.map), all);
   append(describe_odometry(settings.node.pipeline, settings.pipeline), all);
   append(describe(settings.slam), all);
+  append(describe(settings.localization), all);
   return all;
 }
 

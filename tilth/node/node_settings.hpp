@@ -4,8 +4,9 @@
 #include <optional>
 
 #include <tilth/core/se3.hpp>
+#include <tilth/localization/localizer.hpp>
 #include <tilth/node/node_options.hpp>
-#include <tilth/run/map_builder.hpp>
+#include <tilth/run/run_record.hpp>
 #include <tilth/sensor/scan_decoder.hpp>
 #include <tilth/slam/slam.hpp>
 
@@ -16,11 +17,17 @@ struct NodeSettings {
   CloudOptions clouds;
   MapOptions map;
   SlamOptions slam;
+  LocalizationOptions localization;
   OptionValues pipeline;  ///< of the pipeline that `node` names
   std::optional<Pose> T_base_lidar;
 };
 
 /// Throws Error as node_parameters() does.
 NodeSettings read_settings(OptionValues values);
+
+inline constexpr const char* kCloudTopic = "topic points";
+
+/// A record of clouds of that topic, without scans.
+RunRecord new_record(const NodeSettings& settings);
 
 }  // namespace tilth

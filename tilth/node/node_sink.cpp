@@ -48,43 +48,63 @@ MapBuilder map_of(const RunRecord& record, const Slam* slam) {
   return map;
 }
 
-NodeSink::NodeSink(const Surroundings& around, std::string lidar_frame)
+NodeSink::NodeSink(const NodeSurroundings& around, const Slam* slam, std::string lidar_frame)
     : around_(around),
+      slam_(slam),
+      serialization_(around.outlet.serialization()),
       lidar_frame_(std::move(lidar_frame)),
-      body_frame_(around.settings.T_base_lidar ? around.settings.node.base_frame : lidar_frame_) {}
+      body_frame_(around.settings.T_base_lidar ? around.settings.node.base_frame : lidar_frame_),
+      T_odom_lidar_(around.settings.T_base_lidar.value_or(Pose::Identity())) {}
 
 void NodeSink::take(const Scan& scan, const OdometryResult& result, const RunRecord& record) {
-  send_pose(record);
+  const NodeOptions& node = around_.settings.node;
+  stamp_ = result.stamp;
+  T_odom_lidar_ = result.T_world_lidar;
+  send_odometry(result);
+  if (node.publish_mount && !std::exchange(mount_sent_, true)) send_mount(result.stamp);
+  if (node.publish_tf) send_tf(result.stamp, T_map_odom(record));
   send_diagnostics(record);
   if (!result.filtered.empty() && around_.outlet.wanted(NodeTopic::scan))
-    around_.outlet.publish(NodeTopic::scan,
-                           scan_message(scan, result, around_.settings.node.scan_points, lidar_frame_));
-  if (!sent_whole_ || since_whole_.seconds() >= around_.settings.node.map_period) send_path_and_map(record);
+    around_.outlet.publish(NodeTopic::scan, scan_message(scan, result, node.scan_points, lidar_frame_, serialization_));
+  if (!sent_whole_ || since_whole_.seconds() >= node.map_period) send_path_and_map(record);
 }
 
-void NodeSink::send_pose(const RunRecord& record) {
+/// Nothing where the place in a saved map is not known.
+std::optional<Pose> NodeSink::T_map_odom(const RunRecord& record) const {
+  if (!record.localization) return slam_ != nullptr ? slam_->T_map_odom() : Pose(Pose::Identity());
+  const std::optional<Pose>& T_map_lidar = record.localization->rows.back().T_map_lidar;
+  if (!T_map_lidar) return std::nullopt;
+  return *T_map_lidar * T_odom_lidar_.inverse();
+}
+
+void NodeSink::send_odometry(const OdometryResult& result) {
+  const std::optional<Pose>& mount = around_.settings.T_base_lidar;
+  const Matrix6d of_lidar = result.covariance.value_or(result.alignment.covariance);
+  around_.outlet.publish(
+      NodeTopic::odometry,
+      serialize_odometry({result.stamp, pose_of_base(result.T_world_lidar, mount)}, covariance_of_base(of_lidar, mount),
+                         {around_.settings.node.odom_frame, body_frame_}, serialization_));
+}
+
+void NodeSink::send_mount(double stamp) {
+  if (!around_.settings.T_base_lidar) return;
+  const StampedTransform fixed{stamp, {body_frame_, lidar_frame_}, *around_.settings.T_base_lidar};
+  around_.outlet.publish(NodeTopic::tf_static, serialize_tf({&fixed, 1}, serialization_));
+}
+
+void NodeSink::send_tf(double stamp, const std::optional<Pose>& T_map_odom) {
   const NodeOptions& node = around_.settings.node;
-  const StampedPose& pose = record.trajectory.back();
-  const std::optional<Pose>& mount = record.T_base_lidar;
-  const Pose T_odom_body = pose_of_base(pose.T_world_lidar, mount);
-  const Frames frames{node.odom_frame, body_frame_};
-  around_.outlet.publish(NodeTopic::odometry,
-                         serialize_odometry({pose.stamp, T_odom_body},
-                                            covariance_of_base(record.scans.rows.back().covariance, mount), frames));
-  if (mount && node.publish_mount && !std::exchange(mount_sent_, true)) {
-    const StampedTransform fixed{pose.stamp, {body_frame_, lidar_frame_}, *mount};
-    around_.outlet.publish(NodeTopic::tf_static, serialize_tf({&fixed, 1}));
-  }
-  if (!node.publish_tf) return;
-  const Pose T_map_odom = around_.slam != nullptr ? around_.slam->T_map_odom() : Pose(Pose::Identity());
-  const StampedTransform both[] = {{pose.stamp, {node.map_frame, node.odom_frame}, T_map_odom},
-                                   {pose.stamp, frames, T_odom_body}};
-  around_.outlet.publish(NodeTopic::tf, serialize_tf(both));
+  std::vector<StampedTransform> transforms;
+  if (T_map_odom) transforms.push_back({stamp, {node.map_frame, node.odom_frame}, *T_map_odom});
+  transforms.push_back(
+      {stamp, {node.odom_frame, body_frame_}, pose_of_base(T_odom_lidar_, around_.settings.T_base_lidar)});
+  around_.outlet.publish(NodeTopic::tf, serialize_tf(transforms, serialization_));
 }
 
 void NodeSink::send_diagnostics(const RunRecord& record) {
   const InboxCounts counts = around_.inbox.counts();
-  Diagnostic track = track_diagnostic(record.scans.rows.back());
+  Diagnostic track = record.localization ? place_diagnostic(record.localization->rows.back())
+                                         : track_diagnostic(record.scans.rows.back());
   track.values.emplace_back("clouds_received", std::to_string(counts.received));
   track.values.emplace_back("clouds_dropped", std::to_string(counts.dropped));
   track.values.emplace_back("clouds_lost", std::to_string(counts.lost));
@@ -99,17 +119,17 @@ void NodeSink::send_diagnostics(const RunRecord& record) {
     }
     missing_ = counts.dropped + counts.lost;
   }
-  around_.outlet.publish(NodeTopic::diagnostics, serialize_diagnostic(track));
+  around_.outlet.publish(NodeTopic::diagnostics, serialize_diagnostic(track, serialization_));
 }
 
 void NodeSink::send_path_and_map(const RunRecord& record) {
   const NodeOptions& node = around_.settings.node;
   if (around_.outlet.wanted(NodeTopic::path)) {
-    const Trajectory way = thinned(way_in_map(record, around_.slam), node.path_poses);
-    around_.outlet.publish(NodeTopic::path,
-                           serialize_path(poses_of_base(way, record.T_base_lidar), {node.map_frame, body_frame_}));
+    const Trajectory way = thinned(way_in_map(record, slam_), node.path_poses);
+    around_.outlet.publish(NodeTopic::path, serialize_path(poses_of_base(way, record.T_base_lidar),
+                                                           {node.map_frame, body_frame_}, serialization_));
   }
-  send_map(record);
+  if (!record.localization || !sent_whole_) send_map(record);  // a saved map stays as it is
   since_whole_ = Stopwatch();
   sent_whole_ = true;
 }
@@ -118,26 +138,25 @@ void NodeSink::send_path_and_map(const RunRecord& record) {
 void NodeSink::send_map(const RunRecord& record) {
   const NodeOptions& node = around_.settings.node;
   const auto send = [outlet = &around_.outlet, most = std::size_t(node.map_points), frame = node.map_frame,
-                     stamp = record.trajectory.back().stamp](const MapBuilder& map) {
-    outlet->publish(NodeTopic::map, map_message(stamp, map.thinned_records(most), frame));
+                     stamp = stamp_, serialization = serialization_](const MapBuilder& map) {
+    outlet->publish(NodeTopic::map, map_message(stamp, map.thinned_records(most), frame, serialization));
   };
-  if (!is_corrected(around_.slam)) return send(record.map);
+  if (!is_corrected(slam_)) return send(record.map);
   if (map_.valid()) {
     if (map_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     map_.get();
   }
-  map_ = std::async(
-      std::launch::async,
-      [send, map = record.map, moves = corrections(record.trajectory, around_.slam->trajectory_so_far())]() mutable {
-        map.move(moves);
-        send(map);
-      });
+  map_ = std::async(std::launch::async, [send, map = record.map,
+                                         moves = corrections(record.trajectory, slam_->trajectory_so_far())]() mutable {
+    map.move(moves);
+    send(map);
+  });
 }
 
 void NodeSink::finish(const RunRecord& record) {
-  if (record.trajectory.empty()) return;
+  if (!sent_whole_) return;
   if (map_.valid()) map_.get();
-  if (around_.slam != nullptr) around_.slam->loops();  // until all are closed
+  if (slam_ != nullptr) slam_->loops();  // until all are closed
   send_path_and_map(record);
   if (map_.valid()) map_.get();
 }

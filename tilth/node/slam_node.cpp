@@ -1,46 +1,30 @@
-#include <filesystem>
+#include <optional>
 #include <thread>
 #include <utility>
 
+#include <tilth/atlas/map_folder.hpp>
 #include <tilth/core/error.hpp>
-#include <tilth/io/pcd.hpp>
-#include <tilth/io/trajectory_file.hpp>
-#include <tilth/node/node_sink.hpp>
+#include <tilth/node/node_task.hpp>
 #include <tilth/node/session_door.hpp>
 #include <tilth/node/slam_node.hpp>
-#include <tilth/odometry/continued_odometry.hpp>
-#include <tilth/odometry/make_odometry.hpp>
 #include <tilth/run/base_frame.hpp>
-#include <tilth/run/new_record.hpp>
-#include <tilth/run/saved_map_sink.hpp>
-#include <tilth/run/session.hpp>
 #include <tilth/sources/cloud_source.hpp>
 
 namespace tilth {
 namespace {
 
-constexpr const char* kTopic = "topic points";
 constexpr double kFallBack = 1.0;  // [s]; a cloud that is late by less is only left out
-
-class OutletObserver final : public RunObserver {
- public:
-  explicit OutletObserver(NodeOutlet& outlet) : outlet_(outlet) {}
-  void note(const std::string& sentence) override { outlet_.note(sentence); }
-  void warn(const std::string& sentence) override { outlet_.warn(sentence); }
-
- private:
-  NodeOutlet& outlet_;
-};
 
 /// Messages of the inbox, to its end, or until the stamps of one frame fall back: then a recording is played anew.
 /// `frame` becomes that of the first message, where it is empty.
 CloudFeed feed_of(const std::shared_ptr<CloudInbox>& inbox, const std::shared_ptr<std::string>& frame,
                   NodeOutlet& outlet) {
-  CloudFeed feed{.name = kTopic, .next = {}, .trust = StampTrust::believed};
-  feed.next = [inbox, frame, &outlet, last = 0.0]() mutable {
+  CloudFeed feed{
+      .name = kCloudTopic, .next = {}, .serialization = outlet.serialization(), .trust = StampTrust::believed};
+  feed.next = [inbox, frame, &outlet, serialization = feed.serialization, last = 0.0]() mutable {
     std::optional<Message> message = inbox->pop();
     if (!message) return message;
-    const auto header = RosMessageReader(message->bytes, Serialization::cdr, "PointCloud2").header();
+    const auto header = RosMessageReader(message->bytes, serialization, "PointCloud2").header();
     if (frame->empty()) *frame = header.frame_id;
     if (header.frame_id != *frame) return message;
     if (header.stamp < last - kFallBack) {
@@ -60,6 +44,7 @@ CloudFeed feed_of(const std::shared_ptr<CloudInbox>& inbox, const std::shared_pt
 class SlamNode::Work {
  public:
   Work(const OptionValues& parameters, NodeOutlet& outlet) : settings_(read_settings(parameters)), outlet_(outlet) {
+    if (!settings_.node.map.empty()) map_.emplace(settings_.node.map);
     inbox_ = std::make_shared<CloudInbox>(settings_.node.queue);
     thread_ = std::jthread([this](const std::stop_token& stop) {
       while (!stop.stop_requested()) work();
@@ -80,11 +65,11 @@ class SlamNode::Work {
     return inbox_;
   }
 
-  std::string save_map() {
+  /// Calls one of the task's, while that waits for a scan.
+  std::string ask(std::string (NodeTask::*service)(), const char* name) {
     return door_.visit([&] {
-      if (session_ == nullptr || session_->record().trajectory.empty())
-        throw Error("save_map", "no scan is registered yet");
-      return write_map(session_->record());
+      if (task_ == nullptr) throw Error(name, "no scan is registered yet");
+      return (task_->*service)();
     });
   }
 
@@ -102,59 +87,30 @@ class SlamNode::Work {
   void run(const std::shared_ptr<CloudInbox>& clouds) {
     const auto frame = std::make_shared<std::string>(settings_.node.lidar_frame);
     auto source = open_clouds(feed_of(clouds, frame, outlet_), settings_.node.lidar_frame, settings_.clouds, {});
-    RunRecord record = new_record(kTopic, settings_.node.pipeline, settings_.pipeline);
-    record.T_base_lidar = settings_.T_base_lidar;
-    record.map = MapBuilder(settings_.map);
-    Pipeline pipeline = new_pipeline();
-    slam_ = std::exchange(pipeline.slam, nullptr);  // a session would close loops once more when it ends
-    Session session(behind(door_, std::move(source)), std::move(pipeline), std::move(record));
-    OutletObserver observer(outlet_);
-    session.observe(observer);
     const std::string lidar = frame->empty() ? body_of({}) : *frame;
-    session.add(std::make_unique<NodeSink>(NodeSink::Surroundings{settings_, *clouds, slam_, outlet_}, lidar));
-    run(session);
-  }
-
-  void run(Session& session) {
+    const NodeSurroundings around{settings_, *clouds, outlet_};
+    std::unique_ptr<ScanSource> scans = behind(door_, std::move(source));
+    const std::unique_ptr<NodeTask> task =
+        map_ ? localizing_task(around, std::move(scans), lidar, *map_) : mapping_task(around, std::move(scans), lidar);
     struct Inside {
       Work& work;
       ~Inside() {
-        work.session_ = nullptr;
+        work.task_ = nullptr;
         work.door_.open();
       }
     };
     door_.shut();
     const Inside inside{*this};
-    session_ = &session;
-    session.run();
-    for (const std::string& failure : session.finish()) outlet_.warn(failure);
-  }
-
-  Pipeline new_pipeline() const {
-    Pipeline pipeline{make_odometry(settings_.node.pipeline, settings_.pipeline)};
-    if (settings_.T_base_lidar)
-      pipeline.odometry = std::make_unique<ContinuedOdometry>(std::move(pipeline.odometry), *settings_.T_base_lidar);
-    return settings_.node.loop_closure ? with_loop_closure(std::move(pipeline), settings_.slam) : std::move(pipeline);
-  }
-
-  std::string write_map(const RunRecord& record) const {
-    const std::filesystem::path folder = settings_.node.save_map;
-    std::filesystem::create_directories(folder);
-    const Trajectory way = way_in_map(record, slam_);
-    MapBuilder map = map_of(record, slam_);
-    map.settle();
-    write_tum(folder / "trajectory.tum", poses_of_base(way, record.T_base_lidar));
-    write_pcd(folder / "map.pcd", map.records());
-    if (slam_ != nullptr) saved_map_sink({folder / "places", {}, {}, {}}, *slam_)->finish(record);
-    return std::to_string(way.size()) + " poses and " + std::to_string(map.size()) + " points in " + folder.string();
+    task_ = task.get();
+    task->run();
   }
 
   NodeSettings settings_;
   NodeOutlet& outlet_;
+  std::optional<MapFolder> map_;  // to be found in
   SessionDoor door_;
-  Session* session_ = nullptr;  // behind the door, as what follows
-  Slam* slam_ = nullptr;
-  std::mutex mutex_;  // of what follows
+  NodeTask* task_ = nullptr;  // behind the door
+  std::mutex mutex_;          // of what follows
   std::shared_ptr<CloudInbox> inbox_;
   bool stopping_ = false;
   std::jthread thread_;  // last: it uses the members above
@@ -178,7 +134,23 @@ void SlamNode::reset() {
 }
 
 std::string SlamNode::save_map() {
-  return work_->save_map();
+  return work_->ask(&NodeTask::save_map, "save_map");
+}
+
+std::string SlamNode::localize() {
+  return work_->ask(&NodeTask::localize, "localize");
+}
+
+SlamNode::Answer SlamNode::serve(const std::string& name) {
+  try {
+    if (name == "save_map") return {true, save_map()};
+    if (name == "localize") return {true, localize()};
+    if (name != "reset") throw Error(name, "is no service of this node");
+    reset();
+    return {true, "begins anew with the next clouds"};
+  } catch (const std::exception& error) {
+    return {false, error.what()};
+  }
 }
 
 }  // namespace tilth

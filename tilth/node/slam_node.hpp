@@ -1,10 +1,12 @@
 // SLAM as a node of a robot, without its middleware: PointCloud2 messages in, odometry, transforms, path, scan, map and
-// diagnostics out, as the NodeOutlet takes them. ros2/ carries both over rcl.
+// diagnostics out, as the NodeOutlet takes them. With a saved `map`, the robot is found in that instead. ros2/ carries
+// both over rcl, ros1/ over roscpp.
 //
 //   SlamNode node({{"base_from_lidar", "0.2,0,0.5,0,0,0"}}, outlet);
 //   node.take(bytes, arrival);
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -18,16 +20,16 @@ namespace tilth {
 
 class SlamNode {
  public:
-  /// `parameters` as node_parameters() lists them; throws alike. `outlet` must outlive the node, and hears from it in
-  /// threads of its own until it is destroyed.
+  /// `parameters` as node_parameters() lists them; throws alike, and where the map cannot be read. `outlet` must
+  /// outlive the node, and hears from it in threads of its own until it is destroyed.
   SlamNode(const OptionValues& parameters, NodeOutlet& outlet);
   ~SlamNode();
   SlamNode(const SlamNode&) = delete;
   SlamNode& operator=(const SlamNode&) = delete;
 
-  /// A sensor_msgs/PointCloud2 in CDR that came at `arrival` [ns]. Never waits. The first eight decide what its fields
-  /// mean (docs/formats/time_and_ring.md), and are registered then. What cannot be read is left out, and said. Where
-  /// stamps fall back by more than a second, it begins anew.
+  /// A sensor_msgs/PointCloud2, written as the outlet's messages are, that came at `arrival` [ns]. Never waits. The
+  /// first eight decide what its fields mean (docs/formats/time_and_ring.md), and are registered then. What cannot be
+  /// read is left out, and said. Where stamps fall back by more than a second, it begins anew.
   void take(std::vector<std::byte> cloud, std::uint64_t arrival);
 
   /// So many clouds were lost before the next one, says the middleware.
@@ -40,6 +42,18 @@ class SlamNode {
   /// takes, in its folder `places`. Registration waits meanwhile. Returns what was written, as a sentence. Throws Error
   /// where there is nothing to write, or it cannot be written.
   std::string save_map();
+
+  /// Forgets where it is in the saved `map`, and searches for it anew; map -> odom is not published until it is found.
+  /// Returns what was known before, as a sentence. Throws Error where there is no such map, or no cloud came yet.
+  std::string localize();
+
+  /// Any of the above, by its name: those are services, with std_srvs/Trigger.
+  struct Answer {
+    bool success = false;
+    std::string message;  ///< what was done, or why not
+  };
+  static constexpr std::array<const char*, 3> kServices{"save_map", "localize", "reset"};
+  Answer serve(const std::string& name);
 
  private:
   class Work;

@@ -2,6 +2,7 @@
 #include <tilth/run/localization_run.hpp>
 #include <tilth/run/machine.hpp>
 #include <tilth/run/scan_row.hpp>
+#include <tilth/run/skipped_scans.hpp>
 #include <tilth/run/stopwatch.hpp>
 
 namespace tilth {
@@ -81,14 +82,18 @@ class LocalizationLoop {
 };
 
 /// The next scan; nothing at the end, and where the input breaks off, which the record then says.
-std::optional<Scan> next_scan(ScanSource& source, std::size_t number, RunRecord& record, bool& broken) {
+std::optional<Scan> next_scan(ScanSource& source, std::size_t number, RunObserver& observer, RunRecord& record,
+                              bool& broken) {
+  const std::size_t before = source.skipped().size();
+  std::optional<Scan> scan;
   try {
-    return source.next();
+    scan = source.next();
   } catch (const std::exception& e) {
-    record.skipped.push_back({number, "input", e.what()});
+    keep_skipped({number, "input", e.what()}, observer, record);
     broken = true;
-    return std::nullopt;
   }
+  for (std::size_t i = before; i < source.skipped().size(); ++i) keep_skipped(source.skipped()[i], observer, record);
+  return scan;
 }
 
 RunEnd run_through(ScanSource& source, const LocalizationRunOptions& options, LocalizationLoop& loop,
@@ -98,7 +103,7 @@ RunEnd run_through(ScanSource& source, const LocalizationRunOptions& options, Lo
     if (session.interrupted && session.interrupted()) return RunEnd::interrupted;
     const Stopwatch reading;
     bool broken = false;
-    const std::optional<Scan> scan = next_scan(source, read, record, broken);
+    const std::optional<Scan> scan = next_scan(source, read, observer, record, broken);
     if (session.strict && !source.skipped().empty()) return RunEnd::bad_record;
     if (!scan) return broken ? RunEnd::input_broken : RunEnd::end_of_input;
     if (read == 0) record.decisions = source.decisions();
@@ -106,7 +111,7 @@ RunEnd run_through(ScanSource& source, const LocalizationRunOptions& options, Lo
     try {
       loop.add(*scan, reading.milliseconds());
     } catch (const UnusableScan& e) {
-      record.skipped.push_back({read, "scan " + std::to_string(read), e.what()});
+      keep_skipped({read, "scan " + std::to_string(read), e.what()}, observer, record);
       if (session.strict) return RunEnd::bad_record;
     }
     observer.progress(read + 1, source.size());
@@ -120,11 +125,10 @@ RunEnd localize(ScanSource& source, Localizer& localizer, const LocalizationRunO
                 RunRecord& record) {
   const Stopwatch stopwatch;
   if (!record.localization) record.localization.emplace();
+  for (const SkippedScan& skipped : source.skipped()) keep_skipped(skipped, observer, record);
   LocalizationLoop loop(localizer, observer, record, options.sinks);
   const RunEnd end = run_through(source, options, loop, observer, record);
   for (const std::string& decision : record.decisions) observer.note(decision);
-  record.skipped.insert(record.skipped.end(), source.skipped().begin(), source.skipped().end());
-  for (const SkippedScan& skipped : record.skipped) observer.warn("skipped: " + skipped.where + ": " + skipped.what);
   record.notices = source.notices();
   for (const std::string& notice : record.notices) observer.note(notice);
   if (const auto reason = reason_of_failure(*record.localization, localizer.options().find.max_scale_error)) {

@@ -72,10 +72,10 @@ std::uint64_t nanoseconds(double stamp) {
 }
 
 std::vector<std::byte> scan_message(const Scan& scan, const OdometryResult& result, std::uint64_t points,
-                                    const std::string& frame) {
+                                    const std::string& frame, Serialization serialization) {
   const PointCloud& cloud = result.filtered;
   const PointCloud seen = seen_at_once(select(cloud, thinned_indices(cloud.size(), points)), scan, result);
-  return serialize_point_cloud2({result.stamp, frame, to_records(seen)}, Serialization::cdr);
+  return serialize_point_cloud2({result.stamp, frame, to_records(seen)}, serialization);
 }
 
 std::vector<std::byte> tf_message(const StampedPose& pose, const RunFrames& frames) {
@@ -96,8 +96,9 @@ std::vector<std::byte> path_message(const Trajectory& poses, const RunFrames& fr
   return serialize_path(poses_of_base(poses, frames.T_base_lidar), names_in(frames));
 }
 
-std::vector<std::byte> map_message(double stamp, PointRecords map, const std::string& frame) {
-  return serialize_point_cloud2({stamp, frame, std::move(map)}, Serialization::cdr);
+std::vector<std::byte> map_message(double stamp, PointRecords map, const std::string& frame,
+                                   Serialization serialization) {
+  return serialize_point_cloud2({stamp, frame, std::move(map)}, serialization);
 }
 
 Diagnostic track_diagnostic(const ScanRow& row) {
@@ -128,7 +129,7 @@ Trajectory thinned(const Trajectory& poses, std::size_t most) {
   return some;
 }
 
-std::vector<std::byte> diagnostics_message(const LocalizationRow& row) {
+Diagnostic place_diagnostic(const LocalizationRow& row) {
   const std::string state(names_of(row.state)[std::size_t(row.state)]);
   Diagnostic diagnostic{row.stamp, level_of(row.state), "tilth: place in the map", state, {}};
   diagnostic.values = {{"place", state},
@@ -136,7 +137,11 @@ std::vector<std::byte> diagnostics_message(const LocalizationRow& row) {
                        {"overlap", figure(row.overlap)},
                        {"through", figure(row.through)},
                        {"hypotheses", std::to_string(row.hypotheses.size())}};
-  return serialize_diagnostic(diagnostic);
+  return diagnostic;
+}
+
+std::vector<std::byte> diagnostics_message(const LocalizationRow& row) {
+  return serialize_diagnostic(place_diagnostic(row));
 }
 
 }  // namespace tilth

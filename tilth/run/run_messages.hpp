@@ -51,17 +51,20 @@ std::uint64_t nanoseconds(double stamp);
 /// The scan is as the sensor would have seen it all at once at the stamp of its pose, in its own frame, without
 /// outliers: every n-th point, so that no more than `points` remain.
 std::vector<std::byte> scan_message(const Scan& scan, const OdometryResult& result, std::uint64_t points,
-                                    const std::string& frame = "lidar");
+                                    const std::string& frame = "lidar",
+                                    Serialization serialization = Serialization::cdr);
 std::vector<std::byte> tf_message(const StampedPose& pose, const RunFrames& frames);
 std::vector<std::byte> odometry_message(const StampedPose& pose, const Matrix6d& covariance, const RunFrames& frames);
 std::vector<std::byte> path_message(const Trajectory& poses, const RunFrames& frames);
-std::vector<std::byte> map_message(double stamp, PointRecords map, const std::string& frame);
+std::vector<std::byte> map_message(double stamp, PointRecords map, const std::string& frame,
+                                   Serialization serialization = Serialization::cdr);
 
 /// The state of the track, and what the scan took and gave.
 Diagnostic track_diagnostic(const ScanRow& row);
 std::vector<std::byte> diagnostics_message(const ScanRow& row);
 
 /// How well the place in a saved map is known.
+Diagnostic place_diagnostic(const LocalizationRow& row);
 std::vector<std::byte> diagnostics_message(const LocalizationRow& row);
 
 /// Every n-th pose and the last, so that about `most` remain.

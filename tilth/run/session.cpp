@@ -5,12 +5,12 @@
 #include <tilth/run/machine.hpp>
 #include <tilth/run/scan_row.hpp>
 #include <tilth/run/session.hpp>
+#include <tilth/run/skipped_scans.hpp>
 #include <tilth/run/stopwatch.hpp>
 
 namespace tilth {
 namespace {
 
-constexpr std::size_t kMostWarnings = 10;
 constexpr std::size_t kSurveyed = 16;  ///< of so many points one is counted, for what `tilth info` warns of
 
 }  // namespace
@@ -142,9 +142,7 @@ void Session::take_skipped() {
 }
 
 void Session::skip(SkippedScan skipped) {
-  if (record_.skipped.size() < kMostWarnings) observer_->warn("skipped: " + skipped.where + ": " + skipped.what);
-  if (record_.skipped.size() == kMostWarnings) observer_->warn("more was skipped; all of it stands in summary.json");
-  record_.skipped.push_back(std::move(skipped));
+  keep_skipped(std::move(skipped), *observer_, record_);
 }
 
 }  // namespace tilth
