@@ -13,6 +13,7 @@ constexpr float kBeforeEnd = 0.1F;  // [m] of a beam that are not called free: n
 constexpr float kOver = 0.1F;       // [m] that a beam must pass above an obstacle to go on
 constexpr int kFewestBeams = 2;     // that see a cell free
 constexpr int kFewestPoints = 4;    // of an obstacle in a cell and those about it
+constexpr double kAbout = 0.1;      // [m] about a cell: one ring along an edge leaves a point in each voxel
 constexpr double kMostCells = 250e6;
 constexpr float kBelowGround = 0.5F;  // [m] under which a beam is thought to be a stray one
 constexpr int kMost = 65535;          // counted
@@ -109,9 +110,10 @@ void FloorColumns::add_beam(const SeenPoint& seen) {
 
 bool FloorColumns::has_points_enough(int column, int row) const {
   if (columns_[layout_.number(column, row)].obstacles == 0) return false;
+  const int reach = std::max(1, int(std::lround(kAbout / layout_.resolution)));
   int about = 0;
-  for (int r = std::max(0, row - 1); r <= std::min(layout_.rows - 1, row + 1); ++r) {
-    for (int c = std::max(0, column - 1); c <= std::min(layout_.columns - 1, column + 1); ++c)
+  for (int r = std::max(0, row - reach); r <= std::min(layout_.rows - 1, row + reach); ++r) {
+    for (int c = std::max(0, column - reach); c <= std::min(layout_.columns - 1, column + reach); ++c)
       about += columns_[layout_.number(c, r)].obstacles;
   }
   return about >= kFewestPoints;
