@@ -16,15 +16,20 @@
 #include <tilth/io/ply.hpp>
 #include <tilth/localization/virtual_places.hpp>
 #include <tilth/run/file_sinks.hpp>
+#include <tilth/run/grid_sink.hpp>
 #include <tilth/run/localization_run.hpp>
+#include <tilth/run/output_options.hpp>
+#include <tilth/run/saved_plan.hpp>
 
 namespace tilth::app {
 namespace {
 
 struct MapArguments {
-  std::string map, later, out;
+  std::string map, later, out, origin;
+  bool grid = false;
   std::vector<std::string> settings;  // of LocalizationOptions
   OptionValues thinning;              // of MapOptions
+  OptionValues plan;                  // of OccupancyOptions
   OptionValues places;                // of VirtualPlaceOptions
 };
 
@@ -53,11 +58,27 @@ int print_info(const MapArguments& a) {
   return 0;
 }
 
+/// Image and description of the floor plan, side by side.
+int export_plan(const MapArguments& a) {
+  std::filesystem::path image(a.out), text(a.out);
+  if (image.extension() != ".pgm" && image.extension() != ".yaml")
+    throw Error(a.out, "is no name for a floor plan: it must end with .pgm or .yaml; both are written");
+  image.replace_extension(".pgm"), text.replace_extension(".yaml");
+  const OccupancyGrid grid = occupancy_of(MapFolder(a.map), with<OccupancyOptions>(a.plan));
+  write_plan_image(image, grid);
+  write_plan_yaml(text, grid, image.filename().string());
+  std::printf("%d x %d cells in %s, %s\n", grid.columns, grid.rows, image.string().c_str(), text.string().c_str());
+  return 0;
+}
+
 int export_map(const MapArguments& a) {
+  if (a.grid) return export_plan(a);
   const MapFolder map(a.map);
   RunRecord record;
   record.map = MapBuilder(with<MapOptions>(a.thinning));
-  const std::unique_ptr<Sink> sink = map_sink(a.out);
+  OutputOptions output;
+  output.origin = a.origin;
+  const std::unique_ptr<Sink> sink = map_sink(a.out, origin_of(output));
   show_map(map, record);
   sink->finish(record);
   std::printf("%zu points in %s\n", record.map.size(), a.out.c_str());
@@ -103,10 +124,13 @@ void add_map(CLI::App& app, int& exit_code) {
   CLI::App* info = command->add_subcommand("info", "Check a map as a whole and tell what it holds");
   info->add_option("MAP", a->map, "folder of the map")->required();
   info->callback([a, &exit_code] { exit_code = print_info(*a); });
-  CLI::App* exported = command->add_subcommand("export", "Write the points of a map as a cloud");
+  CLI::App* exported = command->add_subcommand("export", "Write the points of a map as a cloud, or its floor plan");
   exported->add_option("MAP", a->map, "folder of the map")->required();
-  exported->add_option("OUT", a->out, "file to write: .pcd, .ply or .las")->required();
+  exported->add_option("OUT", a->out, "file to write: .pcd, .ply or .las; with --grid .pgm or .yaml")->required();
+  exported->add_flag("--grid", a->grid, "the floor plan instead, as map_server and nav2 read it: .pgm and .yaml");
+  exported->add_option("--origin", a->origin, "of a .las: UTM zone,easting,northing,height[,degrees from east to x]");
   add_option_flags(*exported, describe(MapOptions{}), a->thinning);
+  add_option_flags(*exported, describe(OccupancyOptions{}), a->plan);
   exported->callback([a, &exit_code] { exit_code = export_map(*a); });
   CLI::App* imported = command->add_subcommand("import", "Make a map of a bare cloud");
   imported->add_option("CLOUD", a->map, "file of points, z up, in metres: .pcd or .ply")->required();

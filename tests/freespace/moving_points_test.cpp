@@ -96,6 +96,35 @@ TEST(MovingPoints, WhatIsSeenWhereSomethingHasGoneIsAnotherThing) {
   EXPECT_LT(watch.share_moved(watch.board), 0.02);
 }
 
+/// Kind and times of what changed; of each thing of the board the same.
+void expect_change(const Watch& watch, ChangeKind kind, double first, double last) {
+  std::size_t told = 0;
+  for (const std::uint32_t thing : watch.board) {
+    const std::optional<Stay> stay = watch.moving.changed(thing);
+    if (!stay) continue;
+    ++told;
+    EXPECT_EQ(stay->kind, kind);
+    EXPECT_NEAR(stay->first_seen, first, 0.5);
+    EXPECT_NEAR(stay->last_seen, last, 0.9);  // what is calm is looked at in every 8th scan
+  }
+  EXPECT_GT(double(told), 0.95 * double(watch.board.size()));
+  for (const std::uint32_t thing : watch.walls) EXPECT_FALSE(watch.moving.changed(thing).has_value());
+}
+
+TEST(MovingPoints, TellWhatStoodAndLeft) {
+  expect_change(seen(140, 1, 70), ChangeKind::left, 0.1, 7.0);
+}
+
+TEST(MovingPoints, TellWhatCameAndStays) {
+  expect_change(seen(150, 61, 150), ChangeKind::came, 6.1, 15.0);
+}
+
+TEST(MovingPoints, TellNothingOfWhatOnlyPassedBy) {
+  const Watch watch = seen(120, 31, 60);
+  EXPECT_TRUE(std::none_of(watch.board.begin(), watch.board.end(),
+                           [&](std::uint32_t thing) { return watch.moving.changed(thing).has_value(); }));
+}
+
 TEST(MovingPoints, ForgetsWhatWasJudgedAndNumbersTheRestAnew) {
   Watch watch = seen(60, 1, 10);
   const std::size_t before = watch.moving.bytes();

@@ -13,9 +13,10 @@ constexpr float kBeforeEnd = 0.1F;  // [m] of a beam that are not called free: n
 constexpr float kOver = 0.1F;       // [m] that a beam must pass above an obstacle to go on
 constexpr int kFewestBeams = 2;     // that see a cell free
 constexpr int kFewestPoints = 4;    // of an obstacle in a cell and those about it
+constexpr double kAbout = 0.1;      // [m] about a cell: one ring along an edge leaves a point in each voxel
 constexpr double kMostCells = 250e6;
-constexpr float kBelowGround = 0.5F;    // [m] under which a beam is thought to be a stray one
-constexpr std::uint16_t kMost = 65535;  // counted
+constexpr float kBelowGround = 0.5F;  // [m] under which a beam is thought to be a stray one
+constexpr int kMost = 65535;          // counted
 
 bool is_near(const SeenPoint& seen) {
   return (seen.point - seen.from).head<2>().norm() < kReach;  // false for what is not finite
@@ -66,47 +67,53 @@ FloorColumns::FloorColumns(std::span<const SeenPoint> points, std::span<const Ei
   find_obstacles();
 }
 
-void FloorColumns::add_point(const SeenPoint& seen) {
-  if (seen.moving || !is_near(seen)) return;
-  const Eigen::Vector2f at = in_cells(seen.point);
-  Column& column = columns_[layout_.number(int(at.x()), int(at.y()))];
-  const float height = seen.point.z() - ground_.at(seen.point.x(), seen.point.y());
-  if (height > float(options_.high) || height < -kBelowGround) return;
-  std::uint16_t& count = height < float(options_.low) ? column.floors : column.obstacles;
-  count = std::uint16_t(std::min(count + 1, int(kMost)));
-  if (height >= float(options_.low)) column.top = std::max(column.top, seen.point.z());
+float FloorColumns::above_ground(const Eigen::Vector3f& p) const {
+  return p.z() - ground_.at(p.x(), p.y());
 }
 
-/// Cells along the beam, as long as it is below the upper height and no obstacle that is as high stands in its way.
+void FloorColumns::add_point(const SeenPoint& seen) {
+  if (seen.moving || !is_near(seen)) return;
+  const float height = above_ground(seen.point);
+  if (height < float(options_.low) || height > float(options_.high)) return;
+  const Eigen::Vector2f at = in_cells(seen.point);
+  Column& column = columns_[layout_.number(int(at.x()), int(at.y()))];
+  column.obstacles = std::uint16_t(std::min(column.obstacles + 1, kMost));
+  column.top = std::max(column.top, seen.point.z());
+}
+
+/// Cells that the beam crosses lower than any obstacle is high, as long as none that is as high as the beam stands in
+/// its way: over a bed beams pass that tell nothing of it. One that ends on the floor is sure, and free up to its end.
 void FloorColumns::add_beam(const SeenPoint& seen) {
   if (!is_near(seen)) return;
   const Eigen::Vector2f from = in_cells(seen.from), to = in_cells(seen.point);
-  const auto resolution = float(layout_.resolution);
-  const float length = (to - from).norm(), end = length - kBeforeEnd / resolution;
+  const bool on_floor = !seen.moving && above_ground(seen.point) < float(options_.low);
+  const float length = (to - from).norm(), end = length - (on_floor ? 0 : kBeforeEnd / float(layout_.resolution));
   const Eigen::Vector2f step = (to - from) / std::max(length, 1e-6F);
   const float rise = (seen.point.z() - seen.from.z()) / std::max(length, 1e-6F);
   for (float along = 0; along < end; along += 1) {
-    const int c = int(from.x() + along * step.x()), r = int(from.y() + along * step.y());
-    if (!layout_.contains(c, r)) return;
-    Column& column = columns_[layout_.number(c, r)];
+    const Eigen::Vector2f at = from + along * step;
+    if (!layout_.contains(int(at.x()), int(at.y()))) return;
+    const std::size_t number = layout_.number(int(at.x()), int(at.y()));
+    Column& column = columns_[number];
     const float z = seen.from.z() + along * rise;
-    if (is_obstacle(layout_.number(c, r))) {
+    if (is_obstacle(number)) {
       if (z < column.top + kOver) return;
       continue;
     }
-    const float x = float(layout_.origin.x()) + (float(c) + 0.5F) * resolution;
-    const float y = float(layout_.origin.y()) + (float(r) + 0.5F) * resolution;
-    const float height = z - ground_.at(x, y);
+    const Eigen::Vector2f place = layout_.origin.cast<float>() + at * float(layout_.resolution);
+    const float height = above_ground({place.x(), place.y(), z});
     if (height < -kBelowGround) return;
-    if (height <= float(options_.high)) column.beams = std::uint16_t(std::min(column.beams + 1, int(kMost)));
+    if (height < float(options_.low))
+      column.beams = std::uint16_t(std::min(column.beams + (on_floor ? kFewestBeams : 1), kMost));
   }
 }
 
 bool FloorColumns::has_points_enough(int column, int row) const {
   if (columns_[layout_.number(column, row)].obstacles == 0) return false;
+  const int reach = std::max(1, int(std::lround(kAbout / layout_.resolution)));
   int about = 0;
-  for (int r = std::max(0, row - 1); r <= std::min(layout_.rows - 1, row + 1); ++r) {
-    for (int c = std::max(0, column - 1); c <= std::min(layout_.columns - 1, column + 1); ++c)
+  for (int r = std::max(0, row - reach); r <= std::min(layout_.rows - 1, row + reach); ++r) {
+    for (int c = std::max(0, column - reach); c <= std::min(layout_.columns - 1, column + reach); ++c)
       about += columns_[layout_.number(c, r)].obstacles;
   }
   return about >= kFewestPoints;
@@ -132,8 +139,7 @@ void FloorColumns::find_obstacles() {
 }
 
 bool FloorColumns::was_seen_free(std::size_t number) const {
-  const Column& column = columns_[number];
-  return column.beams >= kFewestBeams || (column.beams > 0 && column.floors > 0);
+  return columns_[number].beams >= kFewestBeams;
 }
 
 }  // namespace tilth

@@ -30,7 +30,7 @@ class FloorColumns {
 
  private:
   struct Column {
-    std::uint16_t beams = 0, obstacles = 0, floors = 0;
+    std::uint16_t beams = 0, obstacles = 0;
     float top = -std::numeric_limits<float>::infinity();  ///< [m] of its obstacles
   };
 
@@ -38,6 +38,7 @@ class FloorColumns {
     return ((p.head<2>().cast<double>() - layout_.origin) / layout_.resolution).cast<float>();
   }
 
+  float above_ground(const Eigen::Vector3f& p) const;  ///< [m]
   void add_point(const SeenPoint& seen);
   void find_obstacles();
   bool has_points_enough(int column, int row) const;

@@ -19,6 +19,7 @@ struct MovingOptions {
   double surprise = 3.0;      ///< [-] -ln of the chance of so many passes in a row over something that still stands
   double least_passes = 3.0;  ///< scans whose beams passed, at the least, before something has gone
   double stay = 3.0;          ///< [s] that something must be seen at a place which was free before
+  double settled = 5.0;       ///< [s] from first to last sight of what stood, and left or came
   double firm_stay = 2.0;     ///< [s] from first to last sight of a voxel that is certain to stand
   std::size_t firm_hits = 5;  ///< scans that met it
 };

@@ -10,10 +10,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <tilth/core/voxel_table.hpp>
+#include <tilth/freespace/changes.hpp>
 #include <tilth/freespace/moving_options.hpp>
 #include <tilth/freespace/scan_view.hpp>
 #include <tilth/freespace/seen_thing.hpp>
@@ -43,6 +45,10 @@ class MovingPoints {
   /// Whether judge() has said what it is; true for kNone.
   bool judged(std::uint32_t thing) const;
 
+  /// When a thing was there that stood still and then left, or came where beams had passed and stayed; nothing for all
+  /// others. After judge().
+  std::optional<Stay> changed(std::uint32_t thing) const;
+
   /// Whether beams have passed where it was since: what is seen there later is another thing.
   bool gone(std::uint32_t thing) const { return thing != kNone && things_[thing].gone; }
 
@@ -58,6 +64,7 @@ class MovingPoints {
   struct Judgement {
     Verdict verdict = Verdict::open;
     bool judged = false;
+    bool came = false;  ///< where nothing was before, and stays
   };
 
   /// Of space, four cells an edge: what is known of its surface, and its things by their cells.
@@ -89,6 +96,10 @@ class MovingPoints {
   Around around(const Block& block) const;
   void gather(const Around& around, int cell, std::vector<std::uint32_t>& near) const;
   void vote(bool first);
+  bool stayed(const SeenThing& thing) const;
+  bool may_have_come(std::uint32_t number) const;
+  bool came_with_others(std::uint32_t number, std::span<const std::uint32_t> near) const;
+  void find_arrivals();
 
   MovingOptions options_;
   float edge_;  // [m] of a cell: two voxels

@@ -8,17 +8,12 @@ namespace tilth {
 namespace {
 
 constexpr int kRounds = 3;
-constexpr std::uint32_t kScansApart = 3;  // that two things seen together may be
-constexpr int kFewest = 2;                // neighbours that moved, for one that says nothing itself
-constexpr double kOpenWeight = 0.5;       // of a neighbour that says nothing against one that moved
-constexpr int kOutnumbered = 3;           // so many times must what stands outnumber what moved to keep it
-constexpr double kFirmer = 3.0;           // so many times it was met for each pass, where it certainly stands
-constexpr int kTall = 5;                  // cells, one above the other, that hold neighbours: rings lie far apart
-constexpr float kLeftBehind = 10.0F;      // [m] farther than it was seen from
-
-bool together(const SeenThing& a, const SeenThing& b) {
-  return std::max(a.first, b.first) <= std::min(a.last, b.last) + kScansApart;
-}
+constexpr int kFewest = 2;            // neighbours that moved, for one that says nothing itself
+constexpr double kOpenWeight = 0.5;   // of a neighbour that says nothing against one that moved
+constexpr int kOutnumbered = 3;       // so many times must what stands outnumber what moved to keep it
+constexpr double kFirmer = 3.0;       // so many times it was met for each pass, where it certainly stands
+constexpr int kTall = 5;              // cells, one above the other, that hold neighbours: rings lie far apart
+constexpr float kLeftBehind = 10.0F;  // [m] farther than it was seen from
 
 /// The i-th of 27 blocks or cells about one, along an axis.
 Eigen::Vector3i step_of(int i) {
@@ -63,7 +58,7 @@ MovingPoints::Verdict MovingPoints::verdict_among(std::uint32_t number, std::spa
   const SeenThing& thing = things_[number];
   int moved = 0, stands = 0, open = 0;
   for (const std::uint32_t beside : near) {
-    if (beside == number || !together(thing, things_[beside])) continue;
+    if (beside == number || !thing.together(things_[beside])) continue;
     const Verdict verdict = judgements_[beside].verdict;
     ++(verdict == Verdict::moved ? moved : verdict == Verdict::stands ? stands : open);
   }
@@ -126,6 +121,7 @@ void MovingPoints::judge(const Eigen::Vector3f& place, float distance) {
   }
   const bool any = std::any_of(judgements_.begin(), judgements_.end(), [](const Judgement& j) { return j.judged; });
   for (int round = 0; any && round < kRounds; ++round) vote(round == 0);
+  if (any) find_arrivals();
 }
 
 std::vector<std::uint32_t> MovingPoints::forget(const Eigen::Vector3f& place, float distance) {

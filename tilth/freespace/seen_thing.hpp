@@ -40,6 +40,12 @@ struct SeenThing {
     last = scan;
   }
 
+  /// Whether both were there at the same time, or nearly.
+  bool together(const SeenThing& other) const {
+    constexpr std::uint32_t kScansApart = 3;
+    return std::max(first, other.first) <= std::min(last, other.last) + kScansApart;
+  }
+
   void pass(int tenths) { since = std::uint8_t(std::min(255, since + tenths)); }
 
   /// Whether it has been passed so often since it was last met that it must have gone. While it stood, a scan that came

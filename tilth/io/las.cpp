@@ -13,7 +13,7 @@
 namespace tilth {
 namespace {
 
-constexpr std::size_t kHeaderSize = 375, kPointSize = 30;
+constexpr std::size_t kHeaderSize = 375, kRecordSize = 54, kPointSize = 30;
 
 class Writer {
  public:
@@ -61,8 +61,19 @@ Extent extent_of(const std::array<Column, 3>& xyz, const std::vector<std::size_t
   return extent;
 }
 
-/// The public header block, table 3 of the specification.
-Writer header_of(std::uint64_t points, const Extent& extent) {
+/// The coordinates of all points, in UTM where an origin is given.
+std::array<Column, 3> coordinates(const PointRecords& records, const std::optional<UtmOrigin>& origin) {
+  std::array<Column, 3> xyz{needed_column(records, "x"), needed_column(records, "y"), needed_column(records, "z")};
+  for (std::size_t i = 0; origin && i < records.count; ++i) {
+    const Eigen::Vector3d p = origin->T_utm_world * Eigen::Vector3d(xyz[0][i], xyz[1][i], xyz[2][i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) xyz[axis][i] = p[Eigen::Index(axis)];
+  }
+  return xyz;
+}
+
+/// The public header block, table 3 of the specification, and the one record that follows it: the coordinate reference
+/// system (tables 9 and 24).
+Writer header_of(std::uint64_t points, const Extent& extent, const std::string& crs) {
   constexpr std::uint64_t kTextIsWkt = 0x10;
   Writer header;
   header.text(4, "LASF");
@@ -74,8 +85,8 @@ Writer header_of(std::uint64_t points, const Extent& extent) {
   header.text(32, "Tilth");
   header.number(2, 0), header.number(2, 0);  // no day and year: the same map has the same bytes
   header.number(2, kHeaderSize);
-  header.number(4, kHeaderSize);  // to the points
-  header.number(4, 0);            // no variable length records
+  header.number(4, kHeaderSize + kRecordSize + crs.size() + 1);  // to the points
+  header.number(4, 1);                                           // variable length records
   header.number(1, 6), header.number(2, kPointSize);
   for (int i = 0; i < 6; ++i) header.number(4, 0);  // counts of old formats
   for (int i = 0; i < 3; ++i) header.f64(kLasStep);
@@ -86,6 +97,12 @@ Writer header_of(std::uint64_t points, const Extent& extent) {
   header.number(8, points);
   header.number(8, points);  // all of them first returns
   for (int i = 0; i < 14; ++i) header.number(8, 0);
+  constexpr std::uint64_t kCrsAsText = 2112;
+  header.number(2, 0);
+  header.text(16, "LASF_Projection");
+  header.number(2, kCrsAsText), header.number(2, crs.size() + 1);
+  header.text(32, "WKT");
+  header.text(crs.size() + 1, crs);
   return header;
 }
 
@@ -95,9 +112,9 @@ std::uint64_t rounded(const Column& values, std::size_t i, double most) {
 
 }  // namespace
 
-void write_las(const std::filesystem::path& path, const PointRecords& records, double stamp) {
-  const std::array<Column, 3> xyz{needed_column(records, "x"), needed_column(records, "y"),
-                                  needed_column(records, "z")};
+void write_las(const std::filesystem::path& path, const PointRecords& records, double stamp,
+               const std::optional<UtmOrigin>& origin) {
+  const std::array<Column, 3> xyz = coordinates(records, origin);
   const Column intensities = optional_column(records, "intensity"), rings = optional_column(records, "ring"),
                times = optional_column(records, "time");
   std::vector<std::size_t> kept;
@@ -106,7 +123,7 @@ void write_las(const std::filesystem::path& path, const PointRecords& records, d
   }
   const Extent extent = extent_of(xyz, kept);
   OutputFile file(path);
-  file.write(header_of(kept.size(), extent).bytes());
+  file.write(header_of(kept.size(), extent, well_known_text(origin)).bytes());
   Writer points;
   for (const std::size_t i : kept) {
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,4 +1,5 @@
 #include <tilth/report/run_outputs.hpp>
+#include <tilth/run/change_record.hpp>
 #include <tilth/run/file_sinks.hpp>
 #include <tilth/run/grid_sink.hpp>
 #include <tilth/run/mcap_sink.hpp>
@@ -17,7 +18,8 @@ std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOpt
                              {"beams.yaml", beams_sink}};
   const std::set<std::string> maps = map_formats(options);
   for (const char* format : {"pcd", "ply", "las"}) {
-    if (maps.contains(format)) all.push_back({std::string("map.") + format, map_sink});
+    const auto open = [origin = origin_of(options)](const Path& path) { return map_sink(path, origin); };
+    if (maps.contains(format)) all.push_back({std::string("map.") + format, open});
   }
   if (maps.contains("bt")) {
     const double resolution = options.octomap_resolution;
@@ -27,7 +29,10 @@ std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOpt
     const int edge = options.tile;
     all.push_back({"pointcloud_map_metadata.yaml", [edge](const Path& path) { return tile_sink(path, edge); }});
   }
-  if (!keep_moving) all.push_back({"moving.pcd", moving_sink});
+  if (!keep_moving) {
+    all.push_back({"moving.pcd", moving_sink});
+    all.push_back({"changes.csv", changes_sink});
+  }
   all.push_back({"report.html", [report](const Path& path) { return report_sink(path, report); }});
   if (options.grid) {
     const auto plan = std::make_shared<PlanOfRun>(options.occupancy);

@@ -87,7 +87,8 @@ Report report_of(const RunRecord& record, std::size_t map_points) {
   report.sections.push_back(path_section(record, judged_run));
   if (judged_run) report.sections.push_back(accuracy_section(record, *judged_run));
   if (record.beams) report.sections.push_back(beams_section(*record.beams));
-  for (const auto& section : {quality_section, time_section, registration_section, confidence_section, setup_section}) {
+  for (const auto& section :
+       {quality_section, changes_section, time_section, registration_section, confidence_section, setup_section}) {
     report.sections.push_back(section(record));
   }
   mark_losses(record.scans, report.sections);

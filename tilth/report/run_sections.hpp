@@ -25,6 +25,9 @@ Section time_section(const RunRecord& record);
 /// What the map and the track tell of the map's quality, without truth.
 Section quality_section(const RunRecord& record);
 
+/// What left or came while the map was made.
+Section changes_section(const RunRecord& record);
+
 /// Points, outliers, features, matches, iterations.
 Section registration_section(const RunRecord& record);
 

@@ -55,14 +55,15 @@ std::unique_ptr<Sink> beams_sink(const Path& path) {
   });
 }
 
-std::unique_ptr<Sink> map_sink(const Path& path) {
+std::unique_ptr<Sink> map_sink(const Path& path, const std::optional<UtmOrigin>& origin) {
   const std::string format = path.extension().string();
   if (format == ".pcd")
     return file_sink(path, [](const Path& to, const RunRecord& run) { write_pcd(to, run.map.records()); });
   if (format == ".ply")
     return file_sink(path, [](const Path& to, const RunRecord& run) { write_ply(to, run.map.records()); });
   if (format == ".las")
-    return file_sink(path, [](const Path& to, const RunRecord& run) { write_las(to, run.map.records()); });
+    return file_sink(path,
+                     [origin](const Path& to, const RunRecord& run) { write_las(to, run.map.records(), 0.0, origin); });
   throw Error(path.string(), "is no name for a map: it must end with .pcd, .ply or .las");
 }
 

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
+#include <tilth/io/utm_origin.hpp>
 #include <tilth/run/sink.hpp>
 
 namespace tilth {
@@ -16,8 +18,9 @@ std::unique_ptr<Sink> summary_sink(const std::filesystem::path& path);
 /// What the drive shows of the beams, for the next run's --beams; no file where it shows nothing.
 std::unique_ptr<Sink> beams_sink(const std::filesystem::path& path);
 
-/// The map in the format of its ending: .pcd, .ply or .las. Throws Error naming a path that ends otherwise.
-std::unique_ptr<Sink> map_sink(const std::filesystem::path& path);
+/// The map in the format of its ending: .pcd, .ply or .las, the last one in UTM where an origin is given. Throws Error
+/// naming a path that ends otherwise.
+std::unique_ptr<Sink> map_sink(const std::filesystem::path& path, const std::optional<UtmOrigin>& origin = {});
 
 /// The points that moved, as PCD.
 std::unique_ptr<Sink> moving_sink(const std::filesystem::path& path);

@@ -18,7 +18,9 @@ std::uint8_t grey_of(Occupancy occupancy) {
   return 205;
 }
 
-void write_image(const std::filesystem::path& path, const OccupancyGrid& grid) {
+}  // namespace
+
+void write_plan_image(const std::filesystem::path& path, const OccupancyGrid& grid) {
   std::vector<std::uint8_t> pixels;
   pixels.reserve(grid.cells.size());
   for (int row = grid.rows; row-- > 0;) {
@@ -27,15 +29,13 @@ void write_image(const std::filesystem::path& path, const OccupancyGrid& grid) {
   write_pgm(path, grid.columns, pixels);
 }
 
-std::string yaml_of(const OccupancyGrid& grid) {
+void write_plan_yaml(const std::filesystem::path& path, const OccupancyGrid& grid, const std::string& image) {
   std::ostringstream text;
   text.precision(12);
-  text << "image: map.pgm\nmode: trinary\nresolution: " << grid.resolution << "\norigin: [" << grid.origin.x() << ", "
-       << grid.origin.y() << ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
-  return text.str();
+  text << "image: " << image << "\nmode: trinary\nresolution: " << grid.resolution << "\norigin: [" << grid.origin.x()
+       << ", " << grid.origin.y() << ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+  write_text(path, text.str());
 }
-
-}  // namespace
 
 bool is_resumed(const RunRecord& record) {
   return record.trajectory.size() != record.scans.rows.size();
@@ -64,13 +64,13 @@ const OccupancyGrid& PlanOfRun::of(const RunRecord& record) {
 
 std::unique_ptr<Sink> grid_image_sink(const std::filesystem::path& path, std::shared_ptr<PlanOfRun> plan) {
   return file_sink(path, [plan = std::move(plan)](const std::filesystem::path& to, const RunRecord& run) {
-    write_image(to, plan->of(run));
+    write_plan_image(to, plan->of(run));
   });
 }
 
 std::unique_ptr<Sink> grid_yaml_sink(const std::filesystem::path& path, std::shared_ptr<PlanOfRun> plan) {
   return file_sink(path, [plan = std::move(plan)](const std::filesystem::path& to, const RunRecord& run) {
-    write_text(to, yaml_of(plan->of(run)));
+    write_plan_yaml(to, plan->of(run), "map.pgm");
   });
 }
 

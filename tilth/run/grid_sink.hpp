@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include <tilth/freespace/occupancy_grid.hpp>
 #include <tilth/run/sink.hpp>
@@ -28,6 +29,11 @@ class PlanOfRun {
   OccupancyOptions options_;
   std::optional<OccupancyGrid> grid_;
 };
+
+/// The two files of a plan; `image` is the name that the .yaml has for the other one. Throw Error where they cannot be
+/// written in full.
+void write_plan_image(const std::filesystem::path& path, const OccupancyGrid& grid);
+void write_plan_yaml(const std::filesystem::path& path, const OccupancyGrid& grid, const std::string& image);
 
 std::unique_ptr<Sink> grid_image_sink(const std::filesystem::path& path, std::shared_ptr<PlanOfRun> plan);
 std::unique_ptr<Sink> grid_yaml_sink(const std::filesystem::path& path, std::shared_ptr<PlanOfRun> plan);

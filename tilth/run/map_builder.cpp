@@ -100,11 +100,16 @@ void MapBuilder::take_out(const MapPoint& point) {
   if (take(moving_voxels_, point, voxel_)) moving_.push_back(point);
 }
 
+void MapBuilder::note_change(const OpenPoint& open) {
+  if (const std::optional<Stay> stay = sights_->changed(open.thing)) changed_.push_back({open.point, *stay});
+}
+
 /// Decides of the points that are farther than `distance` from `place`, and forgets what was seen there.
 void MapBuilder::settle_far(const Eigen::Vector3f& place, float distance) {
   sights_->judge(place, distance);
   std::erase_if(open_, [&](const OpenPoint& open) {
     if (!sights_->judged(open.thing)) return false;
+    note_change(open);
     if (gone(open))
       take_out(open.point);
     else
@@ -129,12 +134,13 @@ void MapBuilder::bound() {
 
 void MapBuilder::move(std::span<const Pose> T_new_old) {
   settle();
-  for (std::vector<MapPoint>* points : {&points_, &moving_}) {
-    for (MapPoint& point : *points) {
-      const Eigen::Vector3d p = T_new_old[point.scan] * Eigen::Vector3d(point.x, point.y, point.z);
-      point = {float(p.x()), float(p.y()), float(p.z()), point.intensity, point.scan};
-    }
-  }
+  const auto move = [&](MapPoint& point) {
+    const Eigen::Vector3d p = T_new_old[point.scan] * Eigen::Vector3d(point.x, point.y, point.z);
+    point = {float(p.x()), float(p.y()), float(p.z()), point.intensity, point.scan};
+  };
+  std::for_each(points_.begin(), points_.end(), move);
+  std::for_each(moving_.begin(), moving_.end(), move);
+  for (Changed& changed : changed_) move(changed.point);
   rebuild();
 }
 
@@ -147,6 +153,12 @@ void MapBuilder::rebuild() {
     take_out(open.point);
     return true;
   });
+}
+
+std::vector<Change> MapBuilder::changes() const {
+  std::vector<ChangedPoint> points;
+  for (const Changed& c : changed_) points.push_back({{c.point.x, c.point.y, c.point.z}, c.stay});
+  return changes_of(points);
 }
 
 PointRecords MapBuilder::records() const {

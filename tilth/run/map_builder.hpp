@@ -71,6 +71,7 @@ class MapBuilder {
   /// Those that stand, and those that moved, one a voxel; both complete after settle().
   const std::vector<MapPoint>& points() const { return points_; }
   const std::vector<MapPoint>& moving() const { return moving_; }
+  std::vector<Change> changes() const;     ///< what left or came while it was mapped; complete after settle()
   double voxel() const { return voxel_; }  ///< [m] in force; larger than asked for once the bound was met
 
   /// The map in the world frame: fields x y z intensity, 32-bit float, little endian. Before settle() what has been
@@ -89,11 +90,18 @@ class MapBuilder {
     bool released = false;  ///< what is seen in its voxel later is added as well
   };
 
+  /// A point of something that stood and left, or came and stays.
+  struct Changed {
+    MapPoint point;
+    Stay stay;
+  };
+
   void add_watched(std::span<const MapPoint> points, SeenScan seen);
   void release_gone();
   void settle_far(const Eigen::Vector3f& place, float distance);
   bool gone(const OpenPoint& open) const;
   void take_out(const MapPoint& point);
+  void note_change(const OpenPoint& open);
   void bound();
   void rebuild();
 
@@ -102,6 +110,7 @@ class MapBuilder {
   std::uint32_t scans_ = 0;
   std::vector<MapPoint> points_, moving_;
   std::vector<OpenPoint> open_;
+  std::vector<Changed> changed_;
   VoxelSet voxels_, moving_voxels_;  // of points_ and open_, of moving_
   std::optional<MovingPoints> sights_;
 };

@@ -6,6 +6,11 @@
 
 namespace tilth {
 
+std::optional<UtmOrigin> origin_of(const OutputOptions& options) {
+  if (options.origin.empty()) return std::nullopt;
+  return parse_utm_origin(options.origin);
+}
+
 std::set<std::string> map_formats(const OutputOptions& options) {
   const std::set<std::string> known{"pcd", "ply", "las", "bt", "tiles"};
   std::set<std::string> formats;

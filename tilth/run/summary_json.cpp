@@ -65,6 +65,20 @@ Json options(const RunRecord& record) {
   return values;
 }
 
+Json changes(const RunRecord& record) {
+  const auto numbers = [](const Eigen::Vector3f& v) { return Json{v.x(), v.y(), v.z()}; };
+  Json list = Json::array();
+  for (const Change& change : record.map.changes()) {
+    list.push_back({{"change", name_of(change.stay.kind)},
+                    {"center", numbers(change.box.center())},
+                    {"size", numbers(change.box.sizes())},
+                    {"points", change.points},
+                    {"first_seen", change.stay.first_seen},
+                    {"last_seen", change.stay.last_seen}});
+  }
+  return list;
+}
+
 Json skipped(const RunRecord& record) {
   Json list = Json::array();
   for (const SkippedScan& s : record.skipped)
@@ -152,6 +166,7 @@ std::string summary_json(const RunRecord& record) {
                   {"map_voxel_m", record.map.voxel()},
                   {"track", track(record.scans)},
                   {"counts", counts(record)},
+                  {"changes", changes(record)},
                   {"skipped", skipped(record)},
                   {"notices", record.notices},
                   {"recorded_seconds", figures.recorded_seconds},
