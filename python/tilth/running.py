@@ -54,14 +54,14 @@ def run(
     outputs: of the map, the files and the report, as the flags of ``tilth run``: ``{"map_voxel": 0.05, "mcap": True}``.
     beams: file of the errors of the sensor's beams, which are taken out of every scan.
     learn_beams: errors of beams are taken out of the scans from where the drive has shown them.
-    base_from_lidar: how the LiDAR is mounted, "x,y,z,roll,pitch,yaw" [m, deg]: poses are then of the robot's base_link.
+    base_from_lidar: how the LiDAR is mounted, "x,y,z,roll,pitch,yaw" [m, deg]: poses are then of the base_link.
     level: turn the map so that the floor below the first seconds is level.
     prior: file of the LiDAR's trajectory by another source (wheels, an IMU), by the clock of the scans.
     truth, calibration: file of true poses to judge the run by, and KITTI's calibration.
     max_scans: stop after so many; 0: all. threads: 0: as many as there are processors.
     strict: a record that cannot be used ends the run.
-    view: True, or a port (0: any that is free): browsers and Foxglove may watch, at `view_host`; where, and what happens
-        on the way, is said on standard error.
+    view: True, or a port (0: any that is free): browsers and Foxglove may watch, at `view_host`; where, and what
+        happens on the way, is said on standard error.
     progress: True: a bar where tqdm is installed; or a function of the scans so far and of all (None where not known).
 
     A run that lost its way warns with TrackLostWarning; see ``Run.lost``. Raises tilth.Error on what is wrong before
