@@ -156,7 +156,7 @@ int live(const LiveArguments& a) {
   if (view) session.add(std::make_unique<ViewSink>(view));
   const RunEnd end = run_session(session, a.run);
   session.record().ended = reason(end, enough());
-  const bool whole = end_session(session, a.run, plan, console);
+  const bool whole = tell_end(session.record(), a.run.out, files_of(plan.outputs), session.finish(), console);
   if (!whole || session.record().trajectory.size() == before) return 1;
   return was_lost(session.record().scans) ? kTrackLostExit : 0;
 }
@@ -166,6 +166,7 @@ int live(const LiveArguments& a) {
 void add_live(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("live", "Turn a sensor's packets into trajectory and map while they come");
   const auto a = std::make_shared<LiveArguments>();
+  a->run.session.interrupted = [] { return interrupted() != 0; };
   command->add_option("SOURCE", a->run.source, "udp://[ADDRESS]:PORT to listen at, as udp://:2368")->required();
   command->add_option("--out", a->run.out, "folder for the results; made where missing")->required();
   command->add_flag("--resume", a->resume, "go on with the run in that folder, at its last pose");

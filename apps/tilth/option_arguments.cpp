@@ -5,10 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <tilth/core/error.hpp>
-#include <tilth/io/config_file.hpp>
-#include <tilth/odometry/make_odometry.hpp>
-
 namespace tilth::app {
 namespace {
 
@@ -16,14 +12,6 @@ bool is_setting(const std::string& argument) {
   const auto in_key = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '.'; };
   const auto equals = std::find_if_not(argument.begin(), argument.end(), in_key);
   return equals != argument.begin() && equals != argument.end() && *equals == '=';
-}
-
-/// Takes the values whose keys begin with `prefix` out of `values`.
-OptionValues taken(const std::string& prefix, OptionValues& values) {
-  OptionValues some;
-  for (auto it = values.lower_bound(prefix); it != values.end() && it->first.starts_with(prefix);)
-    some.insert(values.extract(it++));
-  return some;
 }
 
 }  // namespace
@@ -48,27 +36,6 @@ std::vector<std::string> spread_settings(std::span<const char* const> arguments)
     spread.push_back(argument);
   }
   return spread;
-}
-
-OptionValues parse_settings(const std::vector<std::string>& settings) {
-  OptionValues values;
-  for (const std::string& setting : settings) {
-    const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0) throw Error("--set " + setting, "is no key=value");
-    values[setting.substr(0, equals)] = setting.substr(equals + 1);
-  }
-  return values;
-}
-
-PipelineChoice choose_pipeline(const OptionArguments& arguments) {
-  PipelineChoice choice{pipelines().front().name, {}, {}, {}};
-  if (!arguments.config.empty()) choice.values = read_config(arguments.config);
-  if (const auto named = choice.values.extract("pipeline")) choice.name = named.mapped();
-  if (!arguments.pipeline.empty()) choice.name = arguments.pipeline;
-  for (auto& [key, value] : parse_settings(arguments.settings)) choice.values[key] = value;
-  choice.loop = taken("loop.", choice.values);
-  choice.localize = taken("localize.", choice.values);
-  return choice;
 }
 
 }  // namespace tilth::app

@@ -1,62 +1,26 @@
 // tilth run: a recording becomes a trajectory, a map and figures.
 #include <memory>
-#include <optional>
 
 #include <CLI/CLI.hpp>
 
 #include "commands.hpp"
 #include "interrupt.hpp"
-#include "locked_folder.hpp"
+#include "recording_run.hpp"
 #include "run_session.hpp"
 #include "source_flags.hpp"
 #include "truth_flags.hpp"
-#include <tilth/run/ended_run.hpp>
-#include <tilth/run/saved_map_sink.hpp>
 #include <tilth/run/track_record.hpp>
-#include <tilth/run/truth_file.hpp>
-#include <tilth/sources/describe_source.hpp>
-#include <tilth/sources/open_source.hpp>
-#include <tilth/view/view_sink.hpp>
 
 namespace tilth::app {
 namespace {
 
-struct RecordingArguments {
-  RunArguments run;
-  std::string truth, calibration;
-  SourceOptions input;
-};
-
-SavedMapPlan saved_map(const RunArguments& run, const PlannedRun& plan) {
-  const auto beams = plan.beams ? std::optional(plan.beams->model) : std::nullopt;
-  return {run.save_map, run.map_to_continue, plan.localize, beams};
-}
-
 int run(const RecordingArguments& a) {
   Console console(a.run.quiet);
-  std::optional<TruthFile> truth;
-  if (!a.truth.empty()) truth = read_truth(a.truth, a.calibration);
-  PlannedRun plan = plan_run(a.run, describe_source(a.input), describe_source({}));
-  const std::shared_ptr<ViewServer> view = open_view(a.run, console);
-  std::unique_ptr<ScanSource> source =
-      corrected_source(open_source(a.run.source, stopped_by_signals(a.input)), a.run, plan);
-  source = begin_world(std::move(source), a.run, plan, console);
-  const Slam* const slam = plan.pipeline.slam;
-  Session session(std::move(source), std::move(plan.pipeline), std::move(plan.record));
-  session.observe(console);
-  const LockedFolder folder(a.run.out, files_of(plan.outputs));
-  for (const RunOutput& output : plan.outputs) session.add(output.open(folder / output.file));
-  if (view) session.add(std::make_unique<ViewSink>(view));
-  if (!a.run.save_map.empty()) session.add(saved_map_sink(saved_map(a.run, plan), *slam));
+  RecordingRun recording(a, console);
   remember_interrupts();
-  const RunEnd end = run_session(session, a.run);
-  const RunRecord& record = session.record();
-  if (end != RunEnd::interrupted) require_scans(record);
-  std::vector<std::string> failures;
-  if (truth) failures = judge_by(*truth, session.record());
-  if (plan.external) notice_prior(*plan.external, a.run.prior, session.record(), console);
-  const bool whole = end_session(session, a.run, plan, console, std::move(failures));
-  return whole ? exit_code_of(end, was_lost(record.scans), a.run.session.strict) : 1;
+  const RunOutcome outcome = recording.run();
+  const bool whole = tell_end(outcome.record, a.run.out, outcome.files, outcome.failures, console);
+  return whole ? exit_code_of(outcome.end, was_lost(outcome.record.scans), a.run.session.strict) : 1;
 }
 
 void add_input_options(CLI::App& command, RecordingArguments& a) {
@@ -94,6 +58,7 @@ void add_output_options(CLI::App& command, RecordingArguments& a) {
 void add_run(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand("run", "Turn a recording into a trajectory, a map and figures");
   const auto a = std::make_shared<RecordingArguments>();
+  a->run.session.interrupted = [] { return interrupted() != 0; };
   add_input_options(*command, *a);
   command->add_option("--pipeline", a->run.options.pipeline, "see `tilth pipelines`; default: the first of them");
   command->add_flag("--loop-closure", a->run.loop_closure, "find places seen before and correct the way (loop.*)");

@@ -6,9 +6,11 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "motion_prior_file.hpp"
 #include "option_rows.hpp"
 #include "records.hpp"
 #include "registrar.hpp"
+#include <tilth/core/error.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 
 namespace tilth::python {
@@ -36,18 +38,41 @@ std::shared_ptr<const RunRecord> closed(SlamRegistrar& slam) {
   return slam.closed();
 }
 
-void make_slam(SlamRegistrar* self, const std::string& pipeline, const OptionValues& values, const OptionValues& loop,
-               const OptionValues& map) {
-  new (self) SlamRegistrar(with_loop_closure({make_odometry(pipeline, values)}, with<SlamOptions>(loop)),
-                           with<MapOptions>(map));
+std::unique_ptr<Odometry> made(const std::string& pipeline, const OptionValues& values, const ExternalMotion* prior) {
+  return make_odometry(pipeline, values, prior == nullptr ? nullptr : std::make_shared<const ExternalMotion>(*prior));
+}
+
+void make_slam(SlamRegistrar* self, const std::string& pipeline, const OptionValues& values,
+               const ExternalMotion* prior, const std::pair<OptionValues, OptionValues>& loop_and_map) {
+  const auto& [loop, map] = loop_and_map;
+  new (self)
+      SlamRegistrar(with_loop_closure({made(pipeline, values, prior)}, with<SlamOptions>(loop)), with<MapOptions>(map));
+}
+
+ExternalMotion prior_in(const std::string& file) {
+  if (file.empty()) throw Error("prior", "names no file");
+  return *app::read_prior(file);
+}
+
+void add_prior(nb::module_& module) {
+  nb::class_<ExternalMotion>(module, "ExternalMotion")
+      .def_static("read", &prior_in)
+      .def_static("of", [](nb::handle stamps, nb::handle poses) {
+        return ExternalMotion(trajectory_of(stamps, poses, "prior"));
+      });
 }
 
 }  // namespace
 
 void add_odometry(nb::module_& module) {
+  add_prior(module);
   nb::class_<Registrar>(module, "Odometry")
-      .def("__init__", [](Registrar* self, const std::string& pipeline,
-                          const OptionValues& values) { new (self) Registrar(make_odometry(pipeline, values)); })
+      .def(
+          "__init__",
+          [](Registrar* self, const std::string& pipeline, const OptionValues& values, const ExternalMotion* prior) {
+            new (self) Registrar(made(pipeline, values, prior));
+          },
+          nb::arg("pipeline"), nb::arg("values"), nb::arg("prior").none())
       .def("register_scan", &Registrar::register_scan, nb::arg("scan"), Unlocked())
       .def("local_map", &local_map_of);
   module.def("pipelines", &pipeline_rows);
@@ -58,7 +83,8 @@ void add_odometry(nb::module_& module) {
 
 void add_slam(nb::module_& module) {
   nb::class_<SlamRegistrar, Registrar>(module, "Slam")
-      .def("__init__", &make_slam)
+      .def("__init__", &make_slam, nb::arg("pipeline"), nb::arg("values"), nb::arg("prior").none(),
+           nb::arg("loop_and_map"))
       .def("trajectory",
            [](SlamRegistrar& slam) {
              const auto record = closed(slam);

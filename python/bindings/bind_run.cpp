@@ -9,9 +9,10 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "interrupt.hpp"
 #include "names.hpp"
+#include "recording_run.hpp"
 #include "records.hpp"
-#include "run_request.hpp"
 #include <tilth/run/base_frame.hpp>
 #include <tilth/run/summary_json.hpp>
 #include <tilth/run/track_record.hpp>
@@ -20,31 +21,54 @@
 namespace tilth::python {
 namespace {
 
-/// Tells a function of Python, or None, how far the run is; what it raises ends the run as Ctrl-C does.
+using app::RecordingArguments;
+using app::RunArguments;
+using app::RunOutcome;
+
+/// Tells functions of Python, each of which may be None, how far the run is and what happens; what they raise ends the
+/// run as Ctrl-C does.
 class PythonObserver final : public RunObserver {
  public:
-  PythonObserver(nb::object progress, Interrupt& interrupt) : progress_(std::move(progress)), interrupt_(interrupt) {}
+  PythonObserver(nb::object progress, nb::object told, Interrupt& interrupt)
+      : progress_(std::move(progress)), told_(std::move(told)), interrupt_(interrupt) {}
 
-  void progress(std::size_t scans, std::optional<std::size_t> total) override {
-    if (progress_.is_none()) return;
+  void note(const std::string& text) override { tell(told_, text); }
+  void warn(const std::string& text) override { tell(told_, text); }
+  void progress(std::size_t scans, std::optional<std::size_t> total) override { tell(progress_, scans, total); }
+
+ private:
+  template <class... T>
+  void tell(const nb::object& function, const T&... what) {
+    if (function.is_none()) return;
     const nb::gil_scoped_acquire locked;
     try {
-      progress_(scans, total);
+      function(what...);
     } catch (nb::python_error& error) {
       interrupt_.keep(error);
     }
   }
 
- private:
-  nb::object progress_;
+  nb::object progress_, told_;
   Interrupt& interrupt_;
 };
 
-RunOutcome run_request(const RunRequest& request, nb::object progress) {
+RunOutcome run_recording(RecordingArguments arguments, nb::object progress, nb::object told) {
   Interrupt interrupt;
-  PythonObserver observer(std::move(progress), interrupt);
-  return interrupt.unlocked(request.source.starts_with(kLiveScheme),
-                            [&] { return perform(request, observer, interrupt); });
+  PythonObserver observer(std::move(progress), std::move(told), interrupt);
+  arguments.run.session.interrupted = [&interrupt] { return interrupt.came(); };
+  return interrupt.unlocked(arguments.run.source.starts_with(kLiveScheme),
+                            [&] { return app::RecordingRun(arguments, observer).run(); });
+}
+
+/// Each value to the stage that has an option of its key; the files have what is left, and refuse what nobody has.
+void set_outputs(RunArguments& run, const OptionValues& values) {
+  run.output = values;
+  const auto give = [&run](const std::vector<OptionInfo>& options, OptionValues& stage) {
+    for (const OptionInfo& option : options)
+      if (auto given = run.output.extract(option.key)) stage.insert(std::move(given));
+  };
+  give(describe(MapOptions{}), run.map);
+  give(describe(ReportOptions{}), run.report);
 }
 
 template <class T, class F>
@@ -96,28 +120,40 @@ std::vector<std::tuple<std::size_t, std::string, std::string>> skipped_of(const 
   return rows;
 }
 
-void add_request(nb::module_& module) {
-  nb::class_<RunRequest> request(module, "RunRequest");
-  request.def(nb::init<>())
-      .def_rw("source", &RunRequest::source)
-      .def_rw("pipeline", &RunRequest::pipeline)
-      .def_rw("out", &RunRequest::out)
-      .def_rw("values", &RunRequest::values)
-      .def_rw("loop", &RunRequest::loop)
-      .def_rw("map", &RunRequest::map)
-      .def_rw("output", &RunRequest::output)
-      .def_rw("report", &RunRequest::report)
-      .def_rw("beams", &RunRequest::beams)
-      .def_rw("truth", &RunRequest::truth)
-      .def_rw("calibration", &RunRequest::calibration)
-      .def_rw("base_from_lidar", &RunRequest::base_from_lidar)
-      .def_rw("max_scans", &RunRequest::max_scans)
-      .def_rw("threads", &RunRequest::threads)
-      .def_rw("loop_closure", &RunRequest::loop_closure)
-      .def_rw("learn_beams", &RunRequest::learn_beams)
-      .def_rw("strict", &RunRequest::strict)
-      .def("read", [](RunRequest& self, const std::string& topic, const std::string& frame, double rate,
-                      const OptionValues& values) {
+void add_arguments(nb::module_& module) {
+  nb::class_<app::OptionArguments>(module, "OptionArguments")
+      .def_rw("pipeline", &app::OptionArguments::pipeline)
+      .def_rw("config", &app::OptionArguments::config)
+      .def_rw("settings", &app::OptionArguments::settings);
+  nb::class_<RunArguments>(module, "RunArguments")
+      .def_rw("source", &RunArguments::source)
+      .def_rw("out", &RunArguments::out)
+      .def_rw("options", &RunArguments::options)
+      .def_rw("beams", &RunArguments::beams)
+      .def_rw("prior", &RunArguments::prior)
+      .def_rw("save_map", &RunArguments::save_map)
+      .def_rw("map_to_continue", &RunArguments::map_to_continue)
+      .def_rw("base_from_lidar", &RunArguments::base_from_lidar)
+      .def_rw("threads", &RunArguments::threads)
+      .def_rw("loop_closure", &RunArguments::loop_closure)
+      .def_rw("learn_beams", &RunArguments::learn_beams)
+      .def_rw("level", &RunArguments::level)
+      .def("set_session",
+           [](RunArguments& self, std::size_t max_scans, bool strict) {
+             self.session = {max_scans, strict, {}};
+           })
+      .def("set_view",
+           [](RunArguments& self, const std::string& host, std::uint16_t port) {
+             self.view = {host, port};
+           })
+      .def("set_outputs", &set_outputs);
+  nb::class_<RecordingArguments>(module, "RecordingArguments")
+      .def(nb::init<>())
+      .def_rw("run", &RecordingArguments::run)
+      .def_rw("truth", &RecordingArguments::truth)
+      .def_rw("calibration", &RecordingArguments::calibration)
+      .def("set_input", [](RecordingArguments& self, const std::string& topic, const std::string& frame, double rate,
+                           const OptionValues& values) {
         self.input = {topic, frame, rate, values};
       });
 }
@@ -126,7 +162,7 @@ void add_request(nb::module_& module) {
 
 void add_run(nb::module_& module) {
   using O = const RunOutcome&;
-  add_request(module);
+  add_arguments(module);
   nb::class_<RunOutcome>(module, "RunOutcome")
       .def_ro("failures", &RunOutcome::failures)
       .def("trajectory", [](O o) { return pair_of(o.record.trajectory, o.record); })
@@ -145,7 +181,7 @@ void add_run(nb::module_& module) {
       .def("loss", [](O o) { return loss_sentence(o.record.scans); })
       .def("summary", [](O o) { return summary_json(o.record); })
       .def("evaluation", [](O o) { return o.record.evaluation; });
-  module.def("run", &run_request, nb::arg("request"), nb::arg("progress").none());
+  module.def("run", &run_recording, nb::arg("arguments"), nb::arg("progress").none(), nb::arg("told").none());
 }
 
 }  // namespace tilth::python

@@ -1,41 +1,20 @@
-// Single stages: two clouds registered, outliers, deskewing, neighbours, patches of surface.
+// Single stages: outliers, deskewing, neighbours, patches of surface.
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
-#include "docstrings.hpp"
+#include "finite_points.hpp"
 #include "records.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/features/surface_patches.hpp>
-#include <tilth/odometry/align_clouds.hpp>
 #include <tilth/preprocess/deskew.hpp>
 #include <tilth/preprocess/outlier_removal.hpp>
 #include <tilth/search/scan_neighbors.hpp>
 
 namespace tilth::python {
 namespace {
-
-/// The finite points of a cloud, and which they are.
-struct FinitePoints {
-  PointCloud cloud;
-  std::vector<std::uint32_t> indices;
-
-  explicit FinitePoints(const PointCloud& all) {
-    for (std::uint32_t i = 0; i < all.size(); ++i) {
-      if (all.points[i].allFinite()) indices.push_back(i);
-    }
-    cloud = select(all, indices);
-  }
-};
-
-AlignResult register_scans(const Scan& source, const Scan& target, nb::handle T_init, const OptionValues& values) {
-  const auto options = with<AlignCloudsOptions>(values);
-  const Pose T_start = pose_of(T_init, "T_init");
-  const nb::gil_scoped_release unlocked;
-  return align_clouds(FinitePoints(source.cloud).cloud, FinitePoints(target.cloud).cloud, T_start, options);
-}
 
 ColumnArray<bool> inliers(const Scan& scan, const OptionValues& values) {
   const auto options = with<OutlierOptions>(values);
@@ -123,26 +102,6 @@ NamedValues patches_of(const Scan& scan, const OptionValues& values) {
 }  // namespace
 
 void add_stages(nb::module_& module) {
-  nb::class_<AlignResult>(module, "Registration", kRegistrationDoc)
-      .def_prop_ro(
-          "T_target_source", [](const AlignResult& r) { return array_of(r.T_target_source); }, nb::rv_policy::automatic,
-          "(4, 4): source @ R.T + t lies on the target.")
-      .def_prop_ro(
-          "covariance", [](const AlignResult& r) { return array_of(r.covariance); }, nb::rv_policy::automatic,
-          "(6, 6) [rad^2, m^2], rotation first, in the source's frame (right perturbation).")
-      .def_prop_ro(
-          "information", [](const AlignResult& r) { return array_of(r.information); }, nb::rv_policy::automatic,
-          "(6, 6) J^T J of the last iteration.")
-      .def_ro("converged", &AlignResult::converged, "False: too little matched, and T_init came back.")
-      .def_ro("iterations", &AlignResult::iterations, "Of all steps.")
-      .def_ro("candidates", &AlignResult::candidates, "Source patches that were looked up.")
-      .def_ro("matches", &AlignResult::matches, "Pairs of the last iteration.")
-      .def_ro("weight", &AlignResult::weight, "Sum of the matches' weights by the kernel.")
-      .def_ro("error", &AlignResult::error, "Half the weighted sum of squared residuals.")
-      .def_ro("degenerate_directions", &AlignResult::degenerate_directions,
-              "How many of the six directions the clouds do not determine.");
-  module.def("register", &register_scans, nb::arg("source"), nb::arg("target"), nb::arg("T_init").none(),
-             nb::arg("values"));
   module.def("inliers", &inliers);
   module.def("deskew", &deskewed);
   module.def("neighbors", &neighbors);

@@ -15,6 +15,7 @@ void add_localizer(nb::module_& module);
 void add_sources(nb::module_& module);
 void add_run(nb::module_& module);
 void add_evaluation(nb::module_& module);
+void add_registration(nb::module_& module);
 void add_stages(nb::module_& module);
 void add_files(nb::module_& module);
 

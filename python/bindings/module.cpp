@@ -16,6 +16,7 @@ NB_MODULE(_tilth, module) {
   tilth::python::add_sources(module);
   tilth::python::add_run(module);
   tilth::python::add_evaluation(module);
+  tilth::python::add_registration(module);
   tilth::python::add_stages(module);
   tilth::python::add_files(module);
 }

@@ -10,9 +10,10 @@ from tilth._tilth import version as __version__
 from tilth.evaluation import Errors, Evaluation, Metric, evaluate
 from tilth.files import read_bin, read_pcd, read_ply, write_bin, write_las, write_pcd, write_ply
 from tilth.localizer import Localizer
+from tilth.made_run import Run, TrackLostWarning
 from tilth.odometry import Odometry, Option, Slam, options, pipelines
 from tilth.recording import Recording, Skipped, open
-from tilth.running import Run, TrackLostWarning, run
+from tilth.running import run
 from tilth.simulation import Simulation, simulate
 from tilth.stages import Patches, deskew, neighbors, patches, register, remove_outliers
 from tilth.studies import compare, sweep

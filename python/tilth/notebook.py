@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from tilth._tilth import Error
-from tilth.running import Run
+from tilth.made_run import Run
 
 
 class ReportView:

@@ -4,7 +4,7 @@ import os
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +14,8 @@ from tilth._options import OptionValue, option_values
 from tilth._tilth import Error, Result, Scan
 from tilth.files import write_cloud
 from tilth.trajectory import Trajectory
+
+Prior = Union[Trajectory, str, "os.PathLike[str]", None]
 
 
 @dataclass(frozen=True)
@@ -43,14 +45,16 @@ class Odometry:
     pipeline: one of ``tilth.pipelines()``.
     options: those of ``tilth.options(pipeline)``, of which dotted keys are given as mappings:
         ``Odometry(max_range=50, align={"max_iterations": 30})``.
+    prior: trajectory of the LiDAR by another source (wheels, an IMU, another odometry), by the clock of the scans, or
+        its file: a help where scans tell little. None: the scans alone.
 
     The bits of the results do not depend on the number of threads, and are those of the program. One thread at a time
     may use an Odometry; other threads of Python run while it works. Raises tilth.Error on an unknown pipeline or option
     and on a value out of its bounds.
     """
 
-    def __init__(self, pipeline: str = "tilth", **options: OptionValue) -> None:
-        self._registrar: _tilth.Odometry = _tilth.Odometry(pipeline, option_values(options))
+    def __init__(self, pipeline: str = "tilth", *, prior: Prior = None, **options: OptionValue) -> None:
+        self._registrar: _tilth.Odometry = _tilth.Odometry(pipeline, option_values(options), _motion_of(prior))
         self._check = _TimesCheck()
 
     def register_scan(
@@ -88,7 +92,7 @@ class Slam(Odometry):
 
     loop: options of loop closure (docs/loop_closure.md), without their ``loop.``: ``loop={"detect": {"radius": 8}}``.
     map_voxel: [m] edge of the map's voxels, each of which keeps one point; None: as the program does.
-    pipeline, options: as those of Odometry.
+    pipeline, prior, options: as those of Odometry.
 
     ``register_scan`` gives odometry's pose. ``trajectory()``, ``closures()`` and ``map()`` optimise with all closures
     of the scans so far; called after the last scan they are those of ``tilth run --loop-closure``.
@@ -100,13 +104,13 @@ class Slam(Odometry):
         *,
         loop: Mapping[str, OptionValue] | None = None,
         map_voxel: float | None = None,
+        prior: Prior = None,
         **options: OptionValue,
     ) -> None:
-        super().__init__(pipeline, **options)
+        super().__init__(pipeline, prior=prior, **options)
         map_values: dict[str, OptionValue] = {} if map_voxel is None else {"map_voxel": map_voxel}
-        self._slam = _tilth.Slam(
-            pipeline, option_values(options), option_values({"loop": loop or {}}), option_values(map_values)
-        )
+        loop_and_map = option_values({"loop": loop or {}}), option_values(map_values)
+        self._slam = _tilth.Slam(pipeline, option_values(options), _motion_of(prior), loop_and_map)
         self._registrar = self._slam
 
     def trajectory(self) -> Trajectory:
@@ -157,6 +161,14 @@ def as_scan(
     if stamp is None:
         raise Error("stamp: is missing: the time [s] of the scan's first point")
     return Scan(points, times, rings, intensities, stamp=stamp)
+
+
+def _motion_of(prior: Prior) -> _tilth.ExternalMotion | None:
+    if prior is None:
+        return None
+    if isinstance(prior, Trajectory):
+        return _tilth.ExternalMotion.of(prior.stamps, prior.poses)
+    return _tilth.ExternalMotion.read(os.fspath(prior))
 
 
 class _TimesCheck:

@@ -44,12 +44,15 @@ def register(
 
     source, target: Scans, or (n, 3) [m]; each counts as measured at once from the origin of its frame (deskew it
         before). With rings it is faster and more exact.
-    T_init: (4, 4) guess of T_target_source; None: the identity. The result is found within about 2 m and 20 degrees
-        of it (`coarse_voxel`).
-    options: ``coarse_voxel=4.0`` [m], ``align={"max_iterations": 100}`` ...
+    T_init: (4, 4) guess of T_target_source, which is found within about 2 m and 20 degrees of it (`coarse_voxel`).
+        None: whichever way the source is turned about z and some metres from the target, where both show enough of the
+        same; either frame's z is upwards to 45 degrees where the cloud shows a floor.
+    options: ``coarse_voxel=4.0`` [m], ``align={"max_iterations": 100}`` ...; without a guess also `find`, as
+        ``find={"search": {"off_way": 12}}`` [m], and `check`.
 
-    Look at ``converged`` and ``degenerate_directions`` before you trust it. Raises tilth.Error on a bad shape, guess or
-    option.
+    Look at ``answer``, ``converged`` and ``degenerate_directions`` before you trust it: without a guess,
+    ``T_target_source`` is NaN where nothing was found, or several places fit alike. Raises tilth.Error on a bad shape,
+    guess or option.
     """
     return _tilth.register(_scan(source), _scan(target), T_init, option_values(options))
 

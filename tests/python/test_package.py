@@ -103,6 +103,18 @@ def test_the_examples_run(drive, tmp_path):
     assert "located at" in told
 
 
+def test_the_example_for_rerun_runs(drive, tmp_path):
+    pytest.importorskip("rerun", reason="rerun-sdk is not installed")
+    assert "39 poses" in python(ROOT / "examples/python/05_show_in_rerun.py", drive, tmp_path / "run.rrd")
+    assert (tmp_path / "run.rrd").stat().st_size > 1e6
+
+
+def test_the_example_for_open3d_runs(drive, tmp_path):
+    pytest.importorskip("open3d", reason="open3d is not installed")
+    told = python(ROOT / "examples/python/06_show_in_open3d.py", drive, tmp_path)
+    assert "LineSet with 38 lines" in told and len(tilth.read_ply(tmp_path / "map.ply")) > 10_000
+
+
 def test_every_example_is_tested():
     tested = Path(__file__).read_text()
     for example in (ROOT / "examples/python").iterdir():

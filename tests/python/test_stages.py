@@ -28,7 +28,8 @@ def still():
 def test_a_moved_cloud_is_brought_back(still):
     T_moved_target = motion([0.01, -0.02, 0.1], [0.4, -0.3, 0.05])
     moved = tilth.Scan(apply(T_moved_target, still.points), rings=still.rings, stamp=0.0)
-    found = tilth.register(moved, still)
+    found = tilth.register(moved, still, np.eye(4))
+    assert found.answer == "found" and np.array_equal(found.hypotheses[0], found.T_target_source)
     assert found.converged and found.degenerate_directions == 0 and found.matches > 200
     assert found.T_target_source @ T_moved_target == pytest.approx(np.eye(4), abs=0.01)
     assert np.linalg.eigvalsh(found.covariance).min() > 0
@@ -45,14 +46,63 @@ def test_a_guess_brings_it_farther(still):
 def test_clouds_that_do_not_match_say_so(still):
     guess = motion([0, 0, 0.1], [1, 0, 0])
     found = tilth.register(still.points + 500, still.points, guess)
-    assert not found.converged and np.array_equal(found.T_target_source, guess)
-    assert not tilth.register(np.empty((0, 3)), still.points).converged
+    assert not found.converged and np.array_equal(found.T_target_source, guess) and found.answer == "not_found"
+    assert not tilth.register(np.empty((0, 3)), still.points, np.eye(4)).converged
     with pytest.raises(tilth.Error, match="T_init: is no rigid motion"):
         tilth.register(still, still, 2 * np.eye(4))
     with pytest.raises(tilth.Error, match=r"T_init: has the shape \(3, 3\)"):
         tilth.register(still, still, np.eye(3))
     with pytest.raises(tilth.Error, match="coarse_voxel"):
         tilth.register(still, still, coarse_voxel=0)
+    with pytest.raises(tilth.Error, match="find"):
+        tilth.register(still, still, np.eye(4), find={"min_overlap": 0.5})
+
+
+@pytest.fixture(scope="module")
+def standing():
+    """By scene: three scans of a drive, 1 s apart, each taken at once, and where."""
+    scenes = {}
+    for name in ("plaza", "office"):
+        drive = tilth.simulate(name, seed=701, duration=8, snapshot=True, people=2)
+        chosen = [drive[i] for i in (40, 50, 60)]
+        poses = [drive.truth.poses[np.abs(drive.truth.stamps - scan.stamp).argmin()] for scan in chosen]
+        scenes[name] = list(zip(chosen, poses, strict=True))
+    return scenes
+
+
+def test_a_cloud_is_found_without_a_guess(standing):
+    rng = np.random.default_rng(702)
+    (source, T_world_source), (target, T_world_target), _ = standing["plaza"]
+    for rings in (source.rings, None):
+        for _ in range(3):
+            tilts = rng.uniform(-0.2, 0.2, 2)
+            T_turned_source = motion([*tilts, rng.uniform(-np.pi, np.pi)], [0, 0, 0])
+            turned = tilth.Scan(apply(T_turned_source, source.points), rings=rings, stamp=0.0)
+            found = tilth.register(turned, target)
+            assert found.answer == "found" and found.converged and len(found.hypotheses) == 1
+            truth = np.linalg.inv(T_world_target) @ T_world_source @ np.linalg.inv(T_turned_source)
+            assert found.T_target_source @ np.linalg.inv(truth) == pytest.approx(np.eye(4), abs=0.05)
+
+
+def test_clouds_of_other_scenes_are_not_found(standing):
+    for source, _ in standing["plaza"]:
+        for target, _ in standing["office"]:
+            for found in (tilth.register(source, target), tilth.register(target, source)):
+                assert found.answer != "found" and not found.converged and np.isnan(found.T_target_source).all()
+    empty = tilth.register(np.empty((0, 3)), source)
+    assert empty.answer == "not_found" and empty.hypotheses.shape == (0, 4, 4)
+
+
+def test_a_hall_that_looks_alike_four_ways_is_ambiguous():
+    yaw, up = np.meshgrid(np.arange(1800) * np.pi / 900, np.radians(np.arange(-15, 16, 2)))
+    beams = np.stack([np.cos(up) * np.cos(yaw), np.cos(up) * np.sin(yaw), np.sin(up)], axis=-1)
+    ranges = 6 / np.abs(beams[..., :2]).max(axis=-1)
+    ranges = np.where(up < 0, np.minimum(ranges, 1 / np.maximum(-beams[..., 2], 1e-9)), ranges)
+    hall = (ranges[..., None] * beams).reshape(-1, 3)
+    found = tilth.register(apply(motion([0, 0, 0.7], [0, 0, 0]), hall), hall)
+    assert found.answer == "ambiguous" and np.isnan(found.T_target_source).all()
+    back = np.linalg.inv(motion([0, 0, 0.7], [0, 0, 0]))
+    assert min(np.abs(hypothesis - back).max() for hypothesis in found.hypotheses) < 0.02
 
 
 @pytest.mark.parametrize("rings", [True, False])
