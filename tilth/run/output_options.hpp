@@ -16,7 +16,7 @@ struct OutputOptions {
   std::string map_format = "pcd";
   double octomap_resolution = 0.1;
   int tile = 20;
-  std::string origin;
+  std::string origin = {};
   bool mcap = false;
   std::uint64_t mcap_points = 5000;
   bool grid = false;
