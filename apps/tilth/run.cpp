@@ -27,9 +27,9 @@ struct RecordingArguments {
   SourceOptions input;
 };
 
-SavedMapPlan saved_map(const RunArguments& run, const PlannedRun& plan) {
+SavedMapPlan saved_map(const RunArguments& run, const PlannedRun& plan, const LockedFolder& folder) {
   const auto beams = plan.beams ? std::optional(plan.beams->model) : std::nullopt;
-  return {run.save_map, run.map_to_continue, plan.localize, beams};
+  return {run.save_map, run.map_to_continue, plan.localize, beams, folder / "map_changes.csv"};
 }
 
 int run(const RecordingArguments& a) {
@@ -47,7 +47,7 @@ int run(const RecordingArguments& a) {
   const LockedFolder folder(a.run.out, files_of(plan.outputs));
   for (const RunOutput& output : plan.outputs) session.add(output.open(folder / output.file));
   if (view) session.add(std::make_unique<ViewSink>(view));
-  if (!a.run.save_map.empty()) session.add(saved_map_sink(saved_map(a.run, plan), *slam));
+  if (!a.run.save_map.empty()) session.add(saved_map_sink(saved_map(a.run, plan, folder), *slam));
   remember_interrupts();
   const RunEnd end = run_session(session, a.run);
   const RunRecord& record = session.record();
