@@ -112,6 +112,11 @@ int merge(const MapArguments& a) {
   const MergedMaps merged = merge_maps(map, later, options.localize, a.out);
   std::printf("%zu places of %s found in %s; %zu places replaced, %zu patches gone, %zu places in %s\n", merged.ties,
               a.later.c_str(), a.map.c_str(), merged.replaced, merged.gone, merged.places, a.out.c_str());
+  for (const Change& change : merged.changes) {
+    const Eigen::Vector3f at = change.box.center(), size = change.box.sizes();
+    std::printf("%s at %.2f %.2f %.2f, %.2f x %.2f x %.2f m\n", std::string(name_of(change.stay.kind)).c_str(), at.x(),
+                at.y(), at.z(), size.x(), size.y(), size.z());
+  }
   return 0;
 }
 

@@ -10,9 +10,9 @@
 namespace tilth::app {
 namespace {
 
-SavedMapPlan saved_map(const RunArguments& run, const PlannedRun& plan) {
+SavedMapPlan saved_map(const RunArguments& run, const PlannedRun& plan, std::filesystem::path changes) {
   const auto beams = plan.beams ? std::optional(plan.beams->model) : std::nullopt;
-  return {run.save_map, run.map_to_continue, plan.localize, beams};
+  return {run.save_map, run.map_to_continue, plan.localize, beams, std::move(changes)};
 }
 
 std::unique_ptr<ScanSource> source_of(const RecordingArguments& arguments, const PlannedRun& plan) {
@@ -44,7 +44,9 @@ void RecordingRun::add_sinks(const Slam* slam) {
     for (const RunOutput& output : plan_.outputs) session_->add(output.open(*folder_ / output.file));
   }
   if (view_) session_->add(std::make_unique<ViewSink>(view_));
-  if (!run.save_map.empty()) session_->add(saved_map_sink(saved_map(run, plan_), *slam));
+  if (run.save_map.empty()) return;
+  const std::filesystem::path changes = folder_ ? *folder_ / "map_changes.csv" : std::filesystem::path();
+  session_->add(saved_map_sink(saved_map(run, plan_, changes), *slam));
 }
 
 RunOutcome RecordingRun::run() {

@@ -100,6 +100,19 @@ TEST_F(LocalizeCommand, TellsAndExportsWhatAMapHolds) {
   EXPECT_EQ(tilth({"map", "export", map(), (*folder_ / "cloud.txt").string()}).exit_code, 1);
 }
 
+TEST_F(LocalizeCommand, ExportsAFloorPlan) {
+  const std::filesystem::path plan = *folder_ / "plan.pgm";
+  const Outcome made = tilth({"map", "export", map(), plan.string(), "--grid", "--grid-resolution", "0.1"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_EQ(text_of(plan).substr(0, 3), "P5\n");
+  const std::string about = text_of(*folder_ / "plan.yaml");
+  EXPECT_NE(about.find("image: plan.pgm\n"), std::string::npos) << about;
+  EXPECT_NE(about.find("resolution: 0.1\n"), std::string::npos) << about;
+  const Outcome wrong = tilth({"map", "export", map(), (*folder_ / "plan.pcd").string(), "--grid"});
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_NE(wrong.err.find(".pgm or .yaml"), std::string::npos) << wrong.err;
+}
+
 TEST_F(LocalizeCommand, RefusesWhatIsNoMap) {
   const std::string out = (*folder_ / "no").string();
   const Outcome missing = tilth({"localize", kDriven, "--map", (*folder_ / "none").string(), "--out", out});
@@ -122,6 +135,7 @@ TEST_F(LocalizeCommand, GoesOnWithAMap) {
   EXPECT_NE(info.out.find("seed=71"), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("seed=72"), std::string::npos) << info.out;
   EXPECT_FALSE(std::filesystem::exists(both + ".new"));
+  EXPECT_EQ(text_of(std::filesystem::path(out) / "map_changes.csv").substr(0, 13), "change,x,y,z,");
   const std::string elsewhere = (*folder_ / "elsewhere_map").string();
   const Outcome apart = tilth(
       {"run", "sim://plaza?seed=74&columns=400&duration=8", "--out", out, "--map", map(), "--save-map", elsewhere});

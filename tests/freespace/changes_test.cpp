@@ -16,12 +16,12 @@ void add_box(std::vector<ChangedPoint>& points, const Eigen::Vector3f& corner, c
   }
 }
 
-const Stay kLeft{ChangeKind::left, 1, 9}, kCame{ChangeKind::came, 4, 30};
+const Stay kLeft{ChangeKind::left, 1, 9, 0}, kCame{ChangeKind::came, 4, 30, 3.5};
 
 TEST(Changes, ThingsThatLieApartAreTwo) {
   std::vector<ChangedPoint> points;
   add_box(points, {0, 0, 0}, {1.05F, 0.55F, 0.55F}, kLeft);
-  add_box(points, {5, 0, 0}, {0.55F, 0.55F, 0.55F}, {ChangeKind::left, 2, 5});
+  add_box(points, {5, 0, 0}, {0.55F, 0.55F, 0.55F}, {ChangeKind::left, 2, 5, 0});
   const std::vector<Change> changes = changes_of(points);
   ASSERT_EQ(changes.size(), 2U);
   EXPECT_DOUBLE_EQ(changes[0].stay.last_seen, 5);  // in the order in which they left
@@ -34,7 +34,7 @@ TEST(Changes, WhatLeavesAndWhatComesToItsPlaceAreTwo) {
   std::vector<ChangedPoint> points;
   add_box(points, {0, 0, 0}, {0.5F, 0.5F, 0.5F}, kLeft);
   add_box(points, {0.05F, 0, 0}, {0.5F, 0.5F, 0.5F}, kCame);
-  add_box(points, {0, 0.05F, 0}, {0.5F, 0.5F, 0.5F}, {ChangeKind::left, 20, 28});  // another one, later
+  add_box(points, {0, 0.05F, 0}, {0.5F, 0.5F, 0.5F}, {ChangeKind::left, 20, 28, 0});  // another one, later
   const std::vector<Change> changes = changes_of(points);
   ASSERT_EQ(changes.size(), 3U);
   EXPECT_EQ(name_of(changes[0].stay.kind), "came");
@@ -44,12 +44,23 @@ TEST(Changes, WhatLeavesAndWhatComesToItsPlaceAreTwo) {
 
 TEST(Changes, AThingIsSeenFromItsFirstPointToItsLast) {
   std::vector<ChangedPoint> points;
-  add_box(points, {0, 0, 0}, {0.5F, 0.5F, 0.5F}, {ChangeKind::left, 3, 9});
-  add_box(points, {0.6F, 0, 0}, {0.5F, 0.5F, 0.5F}, {ChangeKind::left, 5, 12});
+  add_box(points, {0, 0, 0}, {0.5F, 0.5F, 0.5F}, {ChangeKind::left, 3, 9, 0});
+  add_box(points, {0.6F, 0, 0}, {0.5F, 0.5F, 0.5F}, {ChangeKind::left, 5, 12, 0});
   const std::vector<Change> changes = changes_of(points);
   ASSERT_EQ(changes.size(), 1U);
   EXPECT_DOUBLE_EQ(changes[0].stay.first_seen, 3);
   EXPECT_DOUBLE_EQ(changes[0].stay.last_seen, 12);
+}
+
+TEST(Changes, WhatComesBitByBitIsSeenLateAndDoesNotCome) {
+  std::vector<ChangedPoint> at_once, bit_by_bit;
+  for (int i = 0; i < 10; ++i) {
+    const Eigen::Vector3f corner(0.1F * float(i), 0, 0);
+    add_box(at_once, corner, {0.05F, 0.55F, 0.55F}, {ChangeKind::came, 10.0 + i, 30, 9.5});
+    add_box(bit_by_bit, corner, {0.05F, 0.55F, 0.55F}, {ChangeKind::came, 10.0 + i, 30, 9.5 + i});
+  }
+  EXPECT_EQ(changes_of(at_once).size(), 1U);
+  EXPECT_TRUE(changes_of(bit_by_bit).empty());
 }
 
 TEST(Changes, StrayPointsAreNone) {

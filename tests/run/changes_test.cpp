@@ -45,11 +45,20 @@ double share_on(const Simulator& day, const Change& change, const std::vector<Ma
   return inside.empty() ? 0 : double(near) / double(inside.size());
 }
 
+/// Whether it lies where a door leaf swings, which changes as well.
+bool at_door(const Simulator& day, const Change& change) {
+  const Eigen::Vector3d at = day.truth().front().T_world_lidar * change.box.center().cast<double>();
+  const std::vector<Door>& doors = day.world().movers().doors;
+  return std::any_of(doors.begin(), doors.end(),
+                     [&](const Door& door) { return (door.hinge - at).head<2>().norm() < door.width + 0.1; });
+}
+
 TEST(ChangesOfARun, AreThoseOfTheScene) {
   const Days days("311", "0.8");
   const MapBuilder map = map_of(days);
   int left = 0, came = 0, wrong = 0;
   for (const Change& change : map.changes()) {
+    if (at_door(days.before, change)) continue;
     const bool leaves = change.stay.kind == ChangeKind::left;
     const std::vector<MapPoint>& points = leaves ? map.moving() : map.points();
     const double on_before = share_on(days.before, change, points), on_after = share_on(days.after, change, points);
@@ -66,9 +75,13 @@ TEST(ChangesOfARun, AreThoseOfTheScene) {
 }
 
 TEST(ChangesOfARun, AreFewWhereNothingChanges) {
-  const MapBuilder map = map_of(Days("312", "0"));
-  RecordProperty("told", int(map.changes().size()));
-  EXPECT_LE(map.changes().size(), 1U);  // doors swing there
+  const Days days("312", "0");
+  const MapBuilder map = map_of(days);
+  const std::vector<Change> changes = map.changes();
+  const auto wrong =
+      std::count_if(changes.begin(), changes.end(), [&](const Change& c) { return !at_door(days.before, c); });
+  RecordProperty("wrong", int(wrong));
+  EXPECT_LE(wrong, 1);
 }
 
 }  // namespace

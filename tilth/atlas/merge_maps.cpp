@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 
 #include <tilth/atlas/map_writer.hpp>
 #include <tilth/atlas/merge_maps.hpp>
@@ -11,7 +12,13 @@ namespace tilth {
 namespace {
 
 constexpr double kTieStep = 3.0;      // [m] between places that are looked for
+constexpr double kInSight = 5.0;      // [m] from a later place within which earlier beams are asked
 constexpr double kSameGround = 0.75;  // [m] within which a later place stands in for an earlier one
+
+SurfacePatch placed(SurfacePatch patch, const Pose& T_map_lidar) {
+  patch.mean = T_map_lidar * patch.mean, patch.normal = T_map_lidar.linear() * patch.normal;
+  return patch;
+}
 
 /// What later beams went through of the first map, seen from where it has the tied places.
 GoneSurfaces gone_between(const MapFolder& map, const MapFolder& later, const std::vector<MapTie>& ties,
@@ -21,6 +28,49 @@ GoneSurfaces gone_between(const MapFolder& map, const MapFolder& later, const st
   for (const MapTie& tie : ties)
     gone.look(later.patches(tie.place), tie.T_map_place, tiles.near(tie.T_map_place.translation())->fine());
   return gone;
+}
+
+/// What beams of the first map went through of the later one, both as `poses` have them; the first `map` places of
+/// those are the first map's.
+GoneSurfaces came_between(const MapFolder& map, const MapFolder& later, std::span<const Pose> poses,
+                          const LocalizerOptions& options) {
+  GoneSurfaces came(options.check);
+  MapTiles tiles(later, options.tiles, options.check.submap);
+  const std::span<const Pose> own = poses.first(map.places().size()), others = poses.subspan(own.size());
+  Eigen::Vector3d last = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const Eigen::Vector3d at = own[i].translation();
+    const auto nearest = std::min_element(others.begin(), others.end(), [&](const Pose& a, const Pose& b) {
+      return (a.translation() - at).squaredNorm() < (b.translation() - at).squaredNorm();
+    });
+    if ((at - last).norm() < kTieStep || (nearest->translation() - at).norm() > kInSight) continue;
+    last = at;
+    const Pose& T_later_place = later.places()[std::size_t(nearest - others.begin())].T_map_lidar;
+    const Pose T_later_lidar = T_later_place * nearest->inverse(Eigen::Isometry) * own[i];
+    came.look(map.patches(i), T_later_lidar, tiles.near(T_later_lidar.translation())->fine());
+  }
+  return came;
+}
+
+/// The patches of a map's place that changed, where the map of both has them.
+void add_changed(const MapFolder& map, std::size_t place, const GoneSurfaces& gone, const Pose& T_both_lidar,
+                 ChangeKind kind, std::vector<ChangedPoint>& changed) {
+  const double stamp = map.places()[place].stamp;
+  for (const SurfacePatch& patch : map.patches(place)) {
+    if (gone.holds(placed(patch, map.places()[place].T_map_lidar)))
+      changed.push_back({(T_both_lidar * patch.mean).cast<float>(), {kind, stamp, stamp}});
+  }
+}
+
+std::vector<Change> changes_between(const MapFolder& map, const MapFolder& later, std::span<const Pose> poses,
+                                    const GoneSurfaces& gone, const LocalizerOptions& options) {
+  const GoneSurfaces came = came_between(map, later, poses, options);
+  const std::size_t first = map.places().size();
+  std::vector<ChangedPoint> changed;
+  for (std::size_t i = 0; i < first; ++i) add_changed(map, i, gone, poses[i], ChangeKind::left, changed);
+  for (std::size_t i = 0; i < later.places().size(); ++i)
+    add_changed(later, i, came, poses[first + i], ChangeKind::came, changed);
+  return changes_of(changed, std::numeric_limits<double>::infinity());
 }
 
 bool is_replaced(const Pose& T_map_lidar, std::span<const Pose> later) {
@@ -54,14 +104,12 @@ MergedMaps merge_maps(const MapFolder& map, const MapFolder& later, const Locali
     merged.replaced += replaced;
     if (!replaced) patches = map.patches(i);
     const Pose& T_map_lidar = map.places()[i].T_map_lidar;
-    merged.gone += std::erase_if(patches, [&](const SurfacePatch& patch) {
-      SurfacePatch placed = patch;
-      placed.mean = T_map_lidar * patch.mean, placed.normal = T_map_lidar.linear() * patch.normal;
-      return gone.holds(placed);
-    });
+    merged.gone +=
+        std::erase_if(patches, [&](const SurfacePatch& patch) { return gone.holds(placed(patch, T_map_lidar)); });
     add(map, i, std::move(patches));
   }
   for (std::size_t i = 0; i < later.places().size(); ++i) add(later, i, later.patches(i));
+  merged.changes = changes_between(map, later, graph.poses, gone, options);
   writer.finish({later.origin().program, map.origin().source + ", " + later.origin().source}, graph, later.beams());
   return merged;
 }

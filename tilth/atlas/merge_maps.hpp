@@ -4,17 +4,20 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include <tilth/atlas/map_folder.hpp>
+#include <tilth/freespace/changes.hpp>
 #include <tilth/localization/localizer.hpp>
 
 namespace tilth {
 
 struct MergedMaps {
-  std::size_t ties = 0;      ///< places of the other map that were found in the first
-  std::size_t places = 0;    ///< with patches, of the new map
-  std::size_t replaced = 0;  ///< places of the first map that later ones stand in for
-  std::size_t gone = 0;      ///< patches that were taken out
+  std::size_t ties = 0;              ///< places of the other map that were found in the first
+  std::size_t places = 0;            ///< with patches, of the new map
+  std::size_t replaced = 0;          ///< places of the first map that later ones stand in for
+  std::size_t gone = 0;              ///< patches that were taken out
+  std::vector<Change> changes = {};  ///< what left and what came since the first map, by the stamps of each; its frame
 };
 
 /// Writes the map of both, `later` being the one that was made later, into `folder`, which may be that of either.

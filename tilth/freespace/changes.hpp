@@ -20,6 +20,7 @@ std::string_view name_of(ChangeKind kind);  ///< "left" or "came"
 struct Stay {
   ChangeKind kind = ChangeKind::left;
   double first_seen = 0.0, last_seen = 0.0;  ///< [s]
+  double free_until = 0.0;                   ///< [s] when beams last passed where something came
 };
 
 /// A point that changed, one a voxel.
@@ -35,8 +36,9 @@ struct Change {
   std::size_t points = 0;
 };
 
-/// The things that `points` are of, in the order in which they changed; what is too small to be told from stray points
-/// is left out.
-std::vector<Change> changes_of(std::span<const ChangedPoint> points);
+/// The things that `points` are of, in the order in which they changed. What is too small to be told from stray points
+/// is left out, and what came bit by bit: beams pass, as far as anybody can tell, through metal and glass. Points of
+/// one thing were there at times at most `apart` [s] from one another.
+std::vector<Change> changes_of(std::span<const ChangedPoint> points, double apart = 1.0);
 
 }  // namespace tilth

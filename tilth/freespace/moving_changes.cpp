@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -17,7 +18,8 @@ std::optional<Stay> MovingPoints::changed(std::uint32_t number) const {
   const bool left = things_[number].gone && judgements_[number].verdict == Verdict::moved && stayed(things_[number]);
   if (!left && !judgements_[number].came) return std::nullopt;
   const double first = stamps_[things_[number].first - 1], last = stamps_[things_[number].last - 1];
-  return Stay{left ? ChangeKind::left : ChangeKind::came, first, last};
+  if (left) return Stay{ChangeKind::left, first, last};
+  return Stay{ChangeKind::came, first, last, stamps_[std::max(1U, things_[number].free_until) - 1]};
 }
 
 /// Whether a thing was seen for so long that it stood.

@@ -148,6 +148,7 @@ void MovingPoints::note(SeenThing& thing, std::uint32_t scan, const Glimpse& see
     thing.meet(scan, options_);
     if (thing.met >= 2 * options_.firm_hits && thing.between == 0) thing.calm = true;
   } else if (seen.kind == Glimpse::Kind::passed && !grazes(thing, seen.direction)) {
+    if (scan < thing.born) thing.free_until = scan;
     thing.pass(tenths_of(seen.miss, float(options_.beam_radius)));
     thing.gone = scan > thing.born && thing.vacated(options_);
   }

@@ -19,6 +19,7 @@ struct SeenThing {
   std::uint32_t next = 0;                    ///< the thing before it in its cell
   std::uint32_t born = 0;                    ///< scan that saw it first, counted from 1
   std::uint32_t first = 0, last = 0;         ///< scans that met it
+  std::uint32_t free_until = 0;              ///< scan that passed last where it was born later
   std::uint8_t voxel = 0;                    ///< of the eight of its cell
   std::uint8_t met = 0;                      ///< scans, 255 at the most
   std::uint8_t before = 0;                   ///< passes before it was met first: as in `since`

@@ -3,6 +3,7 @@
 #include <tilth/atlas/map_writer.hpp>
 #include <tilth/atlas/merge_maps.hpp>
 #include <tilth/core/error.hpp>
+#include <tilth/run/change_record.hpp>
 #include <tilth/run/run_record.hpp>
 #include <tilth/run/saved_map_sink.hpp>
 #include <tilth/run/track_record.hpp>
@@ -36,7 +37,8 @@ class SavedMapSink final : public Sink {
     const PassingFolder own{plan_.folder.string() + ".new"};
     MapWriter writer(own.path);
     write(writer, record);
-    merge_maps(*earlier_, MapFolder(own.path), plan_.localize, plan_.folder);
+    const MergedMaps merged = merge_maps(*earlier_, MapFolder(own.path), plan_.localize, plan_.folder);
+    if (!plan_.changes.empty()) write_changes(plan_.changes, merged.changes);
   }
 
  private:

@@ -13,10 +13,11 @@
 namespace tilth {
 
 struct SavedMapPlan {
-  std::filesystem::path folder;     ///< of the map to write
-  std::filesystem::path continues;  ///< folder of a map that the run goes on with; empty: none
-  LocalizerOptions localize;        ///< how the run is found in that
-  std::optional<BeamModel> beams;   ///< that its scans are corrected by
+  std::filesystem::path folder;        ///< of the map to write
+  std::filesystem::path continues;     ///< folder of a map that the run goes on with; empty: none
+  LocalizerOptions localize;           ///< how the run is found in that
+  std::optional<BeamModel> beams;      ///< that its scans are corrected by
+  std::filesystem::path changes = {};  ///< file for what changed since that map; empty: none
 };
 
 /// `slam`, which must outlive the sink, is that of the run. Finishing throws Error where the track was lost, as parts
