@@ -49,6 +49,10 @@ void Node::take(const std::uint8_t* cloud, std::size_t bytes, std::uint64_t arri
   inside_->slam.take({begin, begin + bytes}, arrival);
 }
 
+void Node::take_static_transforms(const std::uint8_t* message, std::size_t bytes) {
+  inside_->slam.take_static_transforms({reinterpret_cast<const std::byte*>(message), bytes});
+}
+
 std::size_t Node::queue() const {
   return inside_->queue;
 }

@@ -54,21 +54,22 @@ RosOutlet::Published published(ros::NodeHandle& own, const Topic& topic) {
   return published<diagnostic_msgs::DiagnosticArray>(own, name, topic.latched);
 }
 
-/// Clouds as bytes.
-ros::SubscribeOptions clouds(std::size_t queue, Node& node) {
-  const auto take = [&node](const topic_tools::ShapeShifter::ConstPtr& cloud) {
-    std::vector<std::uint8_t> bytes(cloud->size());
+/// `take` gets messages of that type as bytes.
+template <class Message, class Take>
+ros::Subscriber subscribed(ros::NodeHandle& to, const std::string& topic, std::size_t queue, Take take) {
+  using Any = topic_tools::ShapeShifter;
+  const auto unpack = [take](const Any::ConstPtr& message) {
+    std::vector<std::uint8_t> bytes(message->size());
     ros::serialization::OStream stream(bytes.data(), std::uint32_t(bytes.size()));
-    cloud->write(stream);
-    node.take(bytes.data(), bytes.size(), ros::Time::now().toNSec());
+    message->write(stream);
+    take(bytes.data(), bytes.size());
   };
   ros::SubscribeOptions options;
-  options.initByFullCallbackType<const topic_tools::ShapeShifter::ConstPtr&>(
-      "points", std::uint32_t(std::max(kLeastDepth, queue)), take);
-  options.md5sum = ros::message_traits::md5sum<sensor_msgs::PointCloud2>();
-  options.datatype = ros::message_traits::datatype<sensor_msgs::PointCloud2>();
+  options.initByFullCallbackType<const Any::ConstPtr&>(topic, std::uint32_t(queue), unpack);
+  options.md5sum = ros::message_traits::md5sum<Message>();
+  options.datatype = ros::message_traits::datatype<Message>();
   options.transport_hints = ros::TransportHints().tcpNoDelay();
-  return options;
+  return to.subscribe(options);
 }
 
 }  // namespace
@@ -107,8 +108,10 @@ RosNode::RosNode(ros::NodeHandle common, ros::NodeHandle own) : outlet_(own), no
     };
     services_.push_back(own.advertiseService(name, answer));
   }
-  ros::SubscribeOptions options = clouds(node_.queue(), node_);
-  points_ = common.subscribe(options);
+  const auto take_fixed = [this](const auto* data, std::size_t bytes) { node_.take_static_transforms(data, bytes); };
+  const auto take = [this](const auto* data, std::size_t bytes) { node_.take(data, bytes, ros::Time::now().toNSec()); };
+  fixed_ = subscribed<tf2_msgs::TFMessage>(common, "/tf_static", kKept, take_fixed);
+  points_ = subscribed<sensor_msgs::PointCloud2>(common, "points", std::max(kLeastDepth, node_.queue()), take);
 }
 
 }  // namespace tilth::ros1

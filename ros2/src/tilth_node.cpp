@@ -94,6 +94,10 @@ class Inlet {
     if (sim_time_)
       clock_ = std::make_unique<MessageSubscription>(node, ROSIDL_GET_MSG_TYPE_SUPPORT(rosgraph_msgs, msg, Clock),
                                                      "/clock", qos);
+    if (value("mount_from_tf") == "true") {
+      qos = rmw_qos_profile_default, qos.depth = 100, qos.durability = RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL;
+      fixed_ = std::make_unique<MessageSubscription>(node, type_of(NodeTopic::tf_static), "/tf_static", qos);
+    }
     services_ = parameter_services(node, options, sim_time_);
     for (const char* name : SlamNode::kServices) add_trigger(name);
   }
@@ -101,7 +105,7 @@ class Inlet {
   /// Hands over what comes, until the program is interrupted.
   void run() {
     rcl_wait_set_t waiting = rcl_get_zero_initialized_wait_set();
-    check(rcl_wait_set_init(&waiting, 2, 0, 0, 0, services_.size(), 0, node_.context(), rcl_get_default_allocator()),
+    check(rcl_wait_set_init(&waiting, 3, 0, 0, 0, services_.size(), 0, node_.context(), rcl_get_default_allocator()),
           "wait set");
     while (interrupted == 0) {
       try {
@@ -126,7 +130,8 @@ class Inlet {
   void wait(rcl_wait_set_t& waiting) {
     check(rcl_wait_set_clear(&waiting), "wait set");
     check(rcl_wait_set_add_subscription(&waiting, points_->get(), nullptr), "wait set");
-    if (clock_) check(rcl_wait_set_add_subscription(&waiting, clock_->get(), nullptr), "wait set");
+    for (const auto& beside : {clock_.get(), fixed_.get()})
+      if (beside != nullptr) check(rcl_wait_set_add_subscription(&waiting, beside->get(), nullptr), "wait set");
     for (const auto& service : services_)
       check(rcl_wait_set_add_service(&waiting, service->get(), nullptr), "wait set");
     const rcl_ret_t result = rcl_wait(&waiting, kLongestWait);
@@ -135,6 +140,9 @@ class Inlet {
     if (clock_)
       for (std::vector<std::byte> time = clock_->take(); !time.empty(); time = clock_->take())
         time_ = RosMessageReader(time, Serialization::cdr, "Clock").time("clock");
+    if (fixed_)
+      for (std::vector<std::byte> fixed = fixed_->take(); !fixed.empty(); fixed = fixed_->take())
+        slam_.take_static_transforms(fixed);
     for (std::vector<std::byte> cloud = points_->take(); !cloud.empty(); cloud = points_->take()) {
       slam_.lose(points_->lost());
       slam_.take(std::move(cloud), now());
@@ -155,7 +163,7 @@ class Inlet {
   SlamNode& slam_;
   RclOutlet& outlet_;
   double time_ = 0.0;  // [s] of /clock
-  std::unique_ptr<MessageSubscription> points_, clock_;
+  std::unique_ptr<MessageSubscription> points_, clock_, fixed_;
   std::vector<std::unique_ptr<ServiceServer>> services_;
 };
 

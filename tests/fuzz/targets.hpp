@@ -33,6 +33,7 @@
 #include <tilth/io/unpack.hpp>
 #include <tilth/messages/packet_message.hpp>
 #include <tilth/messages/point_cloud2.hpp>
+#include <tilth/messages/tf_message.hpp>
 #include <tilth/recording/recording_decoder.hpp>
 #include <tilth/view/client_feed.hpp>
 #include <tilth/view/visitor.hpp>
@@ -110,6 +111,14 @@ inline void packet_message(Bytes bytes) {
 
 inline void point_cloud2_cdr(Bytes bytes) {
   decode_records(parse_point_cloud2(bytes, Serialization::cdr).records);
+}
+
+/// The first byte tells the serialisation.
+inline void tf_message(Bytes bytes) {
+  if (bytes.empty()) return;
+  const Serialization serialization = bytes[0] == std::byte(0) ? Serialization::ros1 : Serialization::cdr;
+  for (const StampedTransform& transform : parse_tf(bytes.subspan(1), serialization))
+    require(transform.T_world_body.matrix().allFinite());
 }
 
 inline void pcd(Bytes bytes) {
@@ -198,6 +207,7 @@ inline constexpr std::array kTargets{
     Target{"config", config},
     Target{"beam_file", beam_file},
     Target{"point_cloud2", point_cloud2},
+    Target{"tf_message", tf_message},
     Target{"point_cloud2_cdr", point_cloud2_cdr},
     Target{"packet_message", packet_message},
     Target{"rosbag2", rosbag2},

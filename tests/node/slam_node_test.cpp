@@ -12,6 +12,7 @@
 #include <tilth/core/error.hpp>
 #include <tilth/io/trajectory_file.hpp>
 #include <tilth/messages/point_cloud2.hpp>
+#include <tilth/messages/pose_message.hpp>
 #include <tilth/node/node_options.hpp>
 #include <tilth/node/slam_node.hpp>
 #include <tilth/odometry/make_odometry.hpp>
@@ -129,6 +130,31 @@ TEST(SlamNode, BeginsAtTheBaseAndTellsWhereTheLidarIsMounted) {
   EXPECT_EQ(mount[0].translation, Eigen::Vector3d(0.3, 0.1, 0.7));
 }
 
+TEST(SlamNode, WaitsForTheMountThatTfTells) {
+  const Pose T_base_mast(Eigen::Translation3d(0.3, 0, 0.5)), T_mast_lidar = parse_mount("0,0.1,0.2,2,-3,20");
+  Kept kept;
+  OptionValues values = kKeepAll;
+  values["mount_from_tf"] = "true";
+  SlamNode node(values, kept);
+  give_all(node);
+  EXPECT_NE(kept.wait_for_warning().find("velodyne is mounted on base_link"), std::string::npos);
+  EXPECT_TRUE(kept.wait_for(NodeTopic::odometry, 0).empty());
+  const StampedTransform fixed[] = {{0.0, {"mast", "velodyne"}, T_mast_lidar},
+                                    {0.0, {"base_link", "mast"}, T_base_mast}};
+  node.take_static_transforms(serialize_tf({fixed, 1}));
+  node.take_static_transforms(std::vector<std::byte>(9, std::byte{7}));
+  node.take_static_transforms(serialize_tf({fixed + 1, 1}));
+  const Pose T_base_lidar = T_base_mast * T_mast_lidar;
+  const Trajectory of_lidar = poses_of_run(T_base_lidar);
+  const auto messages = kept.wait_for(NodeTopic::tf, of_lidar.size());
+  ASSERT_EQ(messages.size(), of_lidar.size());
+  const std::vector<ReadTransform> both = read_tf(messages.back());
+  EXPECT_EQ(both[1].child, "base_link");
+  const Pose expected = pose_of_base(of_lidar.back().T_world_lidar, T_base_lidar);
+  EXPECT_LT((both[1].translation - expected.translation()).norm(), 1e-9);
+  EXPECT_TRUE(kept.wait_for(NodeTopic::tf_static, 0).empty()) << "others tell it";
+}
+
 TEST(SlamNode, SendsScanMapAndPathInTheirFrames) {
   Kept kept;
   OptionValues values = kKeepAll;
@@ -215,6 +241,7 @@ TEST(NodeParameters, AreTheOptionsWithTheirBounds) {
   EXPECT_THROW(node_parameters({{"queue", "0"}}), Error);
   EXPECT_THROW(node_parameters({{"base_from_lidar", "1,2"}}), Error);
   EXPECT_THROW(node_parameters({{"pipeline", "none"}}), Error);
+  EXPECT_THROW(node_parameters({{"mount_from_tf", "true"}, {"base_from_lidar", kMount}}), Error);
   EXPECT_THROW(node_parameters({{"map", "somewhere"}, {"loop_closure", "true"}}), Error);
 }
 

@@ -40,8 +40,8 @@ class Truth:
 
 
 def errors_in_map(heard, saved, mapped, driven):
-    """[m] of each message that says where the LiDAR is in the map of the folder `saved`, which begins where the drive in
-    `mapped` did at its first pose; the one that was heard is in `driven`."""
+    """[m] of each message that says where the LiDAR is in the map of the folder `saved`, which begins where the drive
+    in `mapped` did at its first pose; the one that was heard is in `driven`."""
     world_map = Truth(mapped)(np.loadtxt(saved / "trajectory.tum")[0, 0])
     truth, errors = Truth(driven), []
     for message in heard:

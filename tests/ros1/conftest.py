@@ -161,8 +161,8 @@ def run(recording, tmp_path_factory):
         out = tmp_path_factory.mktemp("run")
         subprocess.run([PROGRAM, "run", recording, "--out", out, "--mcap", "--quiet", *arguments], check=True)
         with open(Path(out) / "run.mcap", "rb") as file:
-            messages = make_reader(file, decoder_factories=[DecoderFactory()]).iter_decoded_messages(topics=["/odometry"])
-            return [message for *_, message in messages]
+            reader = make_reader(file, decoder_factories=[DecoderFactory()])
+            return [message for *_, message in reader.iter_decoded_messages(topics=["/odometry"])]
 
     return {"": odometry(), MOUNT: odometry("--base-from-lidar", MOUNT)}
 

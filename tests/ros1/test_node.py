@@ -5,6 +5,9 @@ import rosgraph
 import rospy
 from conftest import (KEEP_ALL, MOUNT, Peer, diagnosed, launch, play, pose_numbers, stamp_of, start, stop,
                       transform_numbers, until)
+from geometry_msgs.msg import TransformStamped
+from mount_on_mast import mount_on_mast
+from tf2_msgs.msg import TFMessage
 
 
 def assert_same(heard, expected, frames):
@@ -52,6 +55,21 @@ def test_frames_of_a_robot(peer, recording, run):
     (mount,) = peer.heard["/tf_static"][-1].transforms
     assert (mount.header.frame_id, mount.child_frame_id) == ("base_footprint", "lidar")
     assert abs(mount.transform.translation.z - 0.7) < 1e-12
+
+
+def test_mount_of_a_robot_description(peer, recording, run):
+    process = start({**KEEP_ALL, "mount_from_tf": True})
+    description = rospy.Publisher("/tf_static", TFMessage, latch=True, queue_size=1)
+    description.publish(TFMessage(mount_on_mast(TransformStamped, MOUNT)))
+    until(peer.connected, "all topics are there")
+    play(recording, 5)
+    heard, expected = peer.heard["/tilth/odometry"], run[MOUNT]
+    until(lambda: len(heard) >= len(expected), lambda: f"{len(heard)} poses")
+    assert stop(process)[0] == 0
+    description.unregister()
+    assert heard[-1].child_frame_id == "base_link"
+    for here, there in zip(heard, expected):
+        assert pose_numbers(here.pose.pose) == pytest.approx(pose_numbers(there.pose.pose), abs=1e-6)
 
 
 def test_scan_map_path_and_diagnostics(peer, recording, run):

@@ -3,8 +3,11 @@
 import time
 
 import pytest
-from conftest import MOUNT, Peer, start, stop, until
+from conftest import LATCHED, MOUNT, Peer, start, stop, until
+from geometry_msgs.msg import TransformStamped
+from mount_on_mast import mount_on_mast
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
+from tf2_msgs.msg import TFMessage
 
 KEEP_ALL = ("reliable:=true", "queue:=500", "map_period:=0.0")
 
@@ -60,6 +63,21 @@ def test_frames_of_a_robot(peer, recording, run):
     (mount,) = peer.heard["/tf_static"][-1].transforms
     assert (mount.header.frame_id, mount.child_frame_id) == ("base_footprint", "lidar")
     assert abs(mount.transform.translation.z - 0.7) < 1e-12
+
+
+def test_mount_of_a_robot_description(peer, recording, run):
+    description = peer.node.create_publisher(TFMessage, "/tf_static", LATCHED)
+    description.publish(TFMessage(transforms=mount_on_mast(TransformStamped, MOUNT)))
+    process = start(*KEEP_ALL, "mount_from_tf:=true")
+    peer.play(recording[1], 0.02)
+    heard, expected = peer.heard["/tilth/odometry"], run[MOUNT]
+    until(lambda: len(heard) >= len(expected), lambda: f"{len(heard)} poses")
+    assert stop(process)[0] == 0
+    peer.node.destroy_publisher(description)
+    assert heard[-1].child_frame_id == "base_link"
+    for here, there in zip(heard, expected):
+        for axis in "xyz":
+            assert abs(getattr(here.pose.pose.position, axis) - getattr(there.pose.pose.position, axis)) < 1e-6
 
 
 def test_scan_map_path_and_diagnostics(peer, recording, run):

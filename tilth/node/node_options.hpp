@@ -15,6 +15,7 @@ struct NodeOptions {
   std::string map_frame = "map", odom_frame = "odom", base_frame = "base_link";
   std::string lidar_frame;      ///< empty: that of the clouds
   std::string base_from_lidar;  ///< as parse_mount takes it
+  bool mount_from_tf = false;
   bool publish_tf = true, publish_mount = true;
   bool loop_closure = false;
   bool reliable = false;
@@ -36,6 +37,9 @@ void visit(NodeOptions& o, V&& v) {
     "frames are left out");
   v("base_from_lidar", o.base_from_lidar,
     "[m, deg] x,y,z,roll,pitch,yaw (or x,y,z,qx,qy,qz,qw) of the LiDAR on the robot; empty: poses are of the LiDAR");
+  v("mount_from_tf", o.mount_from_tf,
+    "[-] base_from_lidar is what /tf_static tells, looked up when clouds come; nothing is registered before it is "
+    "known");
   v("publish_tf", o.publish_tf, "[-] transforms map -> odom -> base on /tf");
   v("publish_mount", o.publish_mount, "[-] base_from_lidar on /tf_static; false where a robot description does it");
   v("loop_closure", o.loop_closure, "[-] find places seen before, and correct map -> odom");

@@ -36,6 +36,10 @@ NodeSettings read_settings(OptionValues values) {
     throw Error("loop_closure", "does not go with map: nothing is mapped where a saved map is used");
   if (settings.node.pipeline.empty()) settings.node.pipeline = pipelines().front().name;
   const std::string& mount = settings.node.base_from_lidar;
+  if (settings.node.mount_from_tf) {
+    if (!mount.empty()) throw Error("base_from_lidar", "does not go with mount_from_tf: one of them tells the mount");
+    settings.node.publish_mount = false;
+  }
   if (!mount.empty()) settings.T_base_lidar = parse_mount(mount);
   make_odometry(settings.node.pipeline, values);
   settings.pipeline = std::move(values);

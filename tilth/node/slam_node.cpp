@@ -1,3 +1,4 @@
+#include <chrono>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -7,6 +8,7 @@
 #include <tilth/node/node_task.hpp>
 #include <tilth/node/session_door.hpp>
 #include <tilth/node/slam_node.hpp>
+#include <tilth/node/static_transforms.hpp>
 #include <tilth/run/base_frame.hpp>
 #include <tilth/sources/cloud_source.hpp>
 
@@ -65,6 +67,14 @@ class SlamNode::Work {
     return inbox_;
   }
 
+  void take_static_transforms(std::span<const std::byte> message) {
+    try {
+      fixed_.add(message, outlet_.serialization());
+    } catch (const Error& error) {
+      outlet_.warn(error.what());
+    }
+  }
+
   /// Calls one of the task's, while that waits for a scan.
   std::string ask(std::string (NodeTask::*service)(), const char* name) {
     return door_.visit([&] {
@@ -88,6 +98,7 @@ class SlamNode::Work {
     const auto frame = std::make_shared<std::string>(settings_.node.lidar_frame);
     auto source = open_clouds(feed_of(clouds, frame, outlet_), settings_.node.lidar_frame, settings_.clouds, {});
     const std::string lidar = frame->empty() ? body_of({}) : *frame;
+    if (settings_.node.mount_from_tf && !find_mount(lidar, *clouds)) return;
     const NodeSurroundings around{settings_, *clouds, outlet_};
     std::unique_ptr<ScanSource> scans = behind(door_, std::move(source));
     const std::unique_ptr<NodeTask> task =
@@ -105,8 +116,21 @@ class SlamNode::Work {
     task->run();
   }
 
-  NodeSettings settings_;
+  /// Waits for it as long as there are clouds.
+  bool find_mount(const std::string& lidar, const CloudInbox& clouds) {
+    constexpr std::chrono::milliseconds kBetweenLooks(100);
+    const std::string& base = settings_.node.base_frame;
+    for (bool said = false; !clouds.closed(); said = true) {
+      settings_.T_base_lidar = fixed_.wait_for(base, lidar, kBetweenLooks);
+      if (settings_.T_base_lidar) return true;
+      if (!said) outlet_.warn("waits for /tf_static to tell how " + lidar + " is mounted on " + base);
+    }
+    return false;
+  }
+
+  NodeSettings settings_;  // the mount in it is the working thread's
   NodeOutlet& outlet_;
+  StaticTransforms fixed_;
   std::optional<MapFolder> map_;  // to be found in
   SessionDoor door_;
   NodeTask* task_ = nullptr;  // behind the door
@@ -123,6 +147,10 @@ SlamNode::~SlamNode() = default;
 
 void SlamNode::take(std::vector<std::byte> cloud, std::uint64_t arrival) {
   work_->inbox()->push({0, arrival, std::move(cloud)});
+}
+
+void SlamNode::take_static_transforms(std::span<const std::byte> message) {
+  work_->take_static_transforms(message);
 }
 
 void SlamNode::lose(std::size_t count) {

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ class SlamNode {
   /// first eight decide what its fields mean (docs/formats/time_and_ring.md), and are registered then. What cannot be
   /// read is left out, and said. Where stamps fall back by more than a second, it begins anew.
   void take(std::vector<std::byte> cloud, std::uint64_t arrival);
+
+  /// A tf2_msgs/TFMessage of /tf_static, written as clouds are: with `mount_from_tf` it tells how the LiDAR is mounted.
+  /// What cannot be read is left out, and said.
+  void take_static_transforms(std::span<const std::byte> message);
 
   /// So many clouds were lost before the next one, says the middleware.
   void lose(std::size_t count);
