@@ -9,15 +9,13 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from needs import needs  # noqa: E402
 
-numpy, laspy, pyproj, mcap, mcap_ros2, rosbags, pypcd4 = needs(
-    "numpy", "laspy", "pyproj", "mcap", "mcap_ros2", "rosbags", "pypcd4")
+numpy, laspy, pyproj, mcap, mcap_ros2, rosbags, pypcd4 = needs(*"numpy laspy pyproj mcap mcap_ros2 rosbags pypcd4".split())
 from mcap.reader import make_reader  # noqa: E402
 from mcap_ros2.decoder import DecoderFactory  # noqa: E402
 from rosbags.highlevel import AnyReader  # noqa: E402
 from rosbags.typesys import Stores, get_typestore  # noqa: E402
 
 TILTH = sys.argv[1]
-ORIGIN = "32N,691000,5335000,520,90"
 SCENE = "sim://corridor?duration=1.2&seed=4&sensor=vlp16"
 
 
@@ -62,8 +60,8 @@ def check_run(folder):
     poses = numpy.loadtxt(out / "trajectory.tum", ndmin=2)
     points = pypcd4.PointCloud.from_path(out / "map.pcd").numpy(("x", "y", "z", "intensity"))
     check_map_las(laspy.read(out / "map.las"), points)
-    assert pyproj.CRS.from_wkt(check_map_crs(laspy.read(out / "map.las"), "LOCAL_CS[")).is_engineering
-    tilth("run", SCENE, "--out", folder / "utm", "--map-format", "las", "--origin", ORIGIN, "--quiet")
+    assert check_map_crs(laspy.read(out / "map.las"), "LOCAL_CS[").is_engineering
+    tilth("run", SCENE, "--out", folder / "utm", "--map-format", "las", "--origin", "32N,691000,5335000,520,90", "--quiet")
     check_map_utm(laspy.read(folder / "utm" / "map.las"), points)
     messages = read_mcap(out / "run.mcap")
     by_topic = {topic: [(t, m) for name, _, t, m in messages if name == topic] for topic, *_ in messages}
@@ -163,18 +161,14 @@ def check_map_las(las, points):
 
 
 def check_map_crs(las, begin):
-    assert las.header.global_encoding.wkt
     text, = [record.string for record in las.header.vlrs.get("WktCoordinateSystemVlr")]
-    assert text.startswith(begin), text
-    return text
+    assert las.header.global_encoding.wkt and text.startswith(begin), text
+    return pyproj.CRS.from_wkt(text)
 
 
 def check_map_utm(las, points):
-    """x of the world is north, so its y is west."""
-    easting, northing, height = 691000 - points[:, 1], 5335000 + points[:, 0], 520 + points[:, 2]
-    assert close(las.xyz, numpy.stack([easting, northing, height], 1), 0.6e-4)
-    crs = pyproj.CRS.from_wkt(check_map_crs(las, "PROJCS["))
-    assert crs.to_epsg() == 32632 and crs == pyproj.CRS.from_epsg(32632) and las.header.parse_crs() == crs
+    assert close(las.xyz, points[:, [1, 0, 2]] * [-1, 1, 1] + [691000, 5335000, 520], 0.6e-4)  # x is north, y west
+    assert check_map_crs(las, "PROJCS[") == pyproj.CRS.from_epsg(32632)
 
 
 def check_scans(folder):

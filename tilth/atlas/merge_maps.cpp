@@ -52,24 +52,24 @@ GoneSurfaces came_between(const MapFolder& map, const MapFolder& later, std::spa
   return came;
 }
 
-/// The patches of a map's place that changed, where the map of both has them.
-void add_changed(const MapFolder& map, std::size_t place, const GoneSurfaces& gone, const Pose& T_both_lidar,
-                 ChangeKind kind, std::vector<ChangedPoint>& changed) {
-  const double stamp = map.places()[place].stamp;
-  for (const SurfacePatch& patch : map.patches(place)) {
-    if (gone.holds(placed(patch, map.places()[place].T_map_lidar)))
-      changed.push_back({(T_both_lidar * patch.mean).cast<float>(), {kind, stamp, stamp}});
+/// Adds the patches of a map that changed, where `poses` of its places have them.
+void add_changed(const MapFolder& map, std::span<const Pose> poses, const GoneSurfaces& gone, ChangeKind kind,
+                 std::vector<ChangedPoint>& changed) {
+  for (std::size_t i = 0; i < map.places().size(); ++i) {
+    const MapPlace& place = map.places()[i];
+    for (const SurfacePatch& patch : map.patches(i)) {
+      if (gone.holds(placed(patch, place.T_map_lidar)))
+        changed.push_back({(poses[i] * patch.mean).cast<float>(), {kind, place.stamp, place.stamp}});
+    }
   }
 }
 
 std::vector<Change> changes_between(const MapFolder& map, const MapFolder& later, std::span<const Pose> poses,
                                     const GoneSurfaces& gone, const LocalizerOptions& options) {
-  const GoneSurfaces came = came_between(map, later, poses, options);
-  const std::size_t first = map.places().size();
   std::vector<ChangedPoint> changed;
-  for (std::size_t i = 0; i < first; ++i) add_changed(map, i, gone, poses[i], ChangeKind::left, changed);
-  for (std::size_t i = 0; i < later.places().size(); ++i)
-    add_changed(later, i, came, poses[first + i], ChangeKind::came, changed);
+  add_changed(map, poses, gone, ChangeKind::left, changed);
+  add_changed(later, poses.subspan(map.places().size()), came_between(map, later, poses, options), ChangeKind::came,
+              changed);
   return changes_of(changed, std::numeric_limits<double>::infinity());
 }
 
