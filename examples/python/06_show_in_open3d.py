@@ -1,4 +1,4 @@
-"""A map and a way in Open3D (pip install open3d): 06_show_in_open3d.py RECORDING [FOLDER to write instead of a window]"""
+"""Map and way in Open3D (pip install open3d): 06_show_in_open3d.py RECORDING [FOLDER to write instead of a window]"""
 
 import sys
 from pathlib import Path

@@ -71,7 +71,7 @@ def run(
     if max_scans < 0 or threads < 0:
         raise Error(f"max_scans, threads: are {max_scans}, {threads}, expected 0 or more")
     if map and (not save_map or level):
-        raise Error("map: is what the map of save_map= goes on with, in its frame: it needs save_map, and excludes level")
+        raise Error("map: is what the map of save_map goes on with, in its frame: needs save_map, excludes level")
     arguments = _tilth.RecordingArguments()
     wanted = arguments.run
     _set_source(arguments, source)
