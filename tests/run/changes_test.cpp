@@ -74,15 +74,5 @@ TEST(ChangesOfARun, AreThoseOfTheScene) {
   EXPECT_LE(wrong, 1);
 }
 
-TEST(ChangesOfARun, AreFewWhereNothingChanges) {
-  const Days days("312", "0");
-  const MapBuilder map = map_of(days);
-  const std::vector<Change> changes = map.changes();
-  const auto wrong =
-      std::count_if(changes.begin(), changes.end(), [&](const Change& c) { return !at_door(days.before, c); });
-  RecordProperty("wrong", int(wrong));
-  EXPECT_LE(wrong, 1);
-}
-
 }  // namespace
 }  // namespace tilth
