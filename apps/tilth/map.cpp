@@ -72,13 +72,15 @@ int export_plan(const MapArguments& a) {
 }
 
 int export_map(const MapArguments& a) {
+  const std::string kind = kind_of_file(a.out);
+  if (!a.origin.empty() && kind != ".las") throw Error("option origin", "is for a map as .las alone, not for " + a.out);
   if (a.grid) return export_plan(a);
+  if (kind == ".pgm" || kind == ".yaml") throw Error(a.out, "is the name of a floor plan: add --grid");
   const MapFolder map(a.map);
   RunRecord record;
   record.map = MapBuilder(with<MapOptions>(a.thinning));
-  OutputOptions output;
-  output.origin = a.origin;
-  const std::unique_ptr<Sink> sink = map_sink(a.out, origin_of(output));
+  const auto origin = a.origin.empty() ? std::nullopt : std::optional(parse_utm_origin(a.origin));
+  const std::unique_ptr<Sink> sink = map_sink(a.out, origin);
   show_map(map, record);
   sink->finish(record);
   std::printf("%zu points in %s\n", record.map.size(), a.out.c_str());

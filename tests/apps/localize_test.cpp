@@ -98,6 +98,7 @@ TEST_F(LocalizeCommand, TellsAndExportsWhatAMapHolds) {
   ASSERT_EQ(exported.exit_code, 0) << exported.err;
   EXPECT_GT(read_pcd(cloud).count, 1000U);
   EXPECT_EQ(tilth({"map", "export", map(), (*folder_ / "cloud.txt").string()}).exit_code, 1);
+  EXPECT_EQ(tilth({"map", "export", map(), cloud.string(), "--origin", "32N,1,2,3"}).exit_code, 1);
 }
 
 TEST_F(LocalizeCommand, ExportsAFloorPlan) {
@@ -108,6 +109,7 @@ TEST_F(LocalizeCommand, ExportsAFloorPlan) {
   const std::string about = text_of(*folder_ / "plan.yaml");
   EXPECT_NE(about.find("image: plan.pgm\n"), std::string::npos) << about;
   EXPECT_NE(about.find("resolution: 0.1\n"), std::string::npos) << about;
+  EXPECT_EQ(tilth({"map", "export", map(), plan.string()}).exit_code, 1) << "a cloud of that name";
   const Outcome wrong = tilth({"map", "export", map(), (*folder_ / "plan.pcd").string(), "--grid"});
   EXPECT_EQ(wrong.exit_code, 1);
   EXPECT_NE(wrong.err.find(".pgm or .yaml"), std::string::npos) << wrong.err;

@@ -8,6 +8,7 @@
 
 #include <tilth/core/error.hpp>
 #include <tilth/run/output_folder.hpp>
+#include <tilth/run/output_options.hpp>
 #include <tilth/run/summary_json.hpp>
 
 namespace tilth {
@@ -73,6 +74,12 @@ TEST(OutputFolder, IsRefusedBeforeAnythingIsWritten) {
   std::ofstream(folder / "file") << "mine";
   EXPECT_THROW(prepare_output_folder(folder / "file", files), Error);
   EXPECT_EQ(text_of(folder / "file"), "mine");
+}
+
+TEST(OutputOptions, AnOriginThatNoFileHasIsRefused) {
+  EXPECT_FALSE(origin_of({}));
+  EXPECT_TRUE(origin_of({.map_format = "pcd,las", .origin = "32N,1,2,3"}));
+  EXPECT_THROW(origin_of({.origin = "32N,1,2,3"}), Error);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@ namespace tilth {
 
 std::optional<UtmOrigin> origin_of(const OutputOptions& options) {
   if (options.origin.empty()) return std::nullopt;
+  if (!map_formats(options).contains("las"))
+    throw Error("option origin", "is that of a map as LAS, and none is written: expected map_format=las beside it");
   return parse_utm_origin(options.origin);
 }
 
