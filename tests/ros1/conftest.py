@@ -65,8 +65,9 @@ def call(service):
     return rospy.ServiceProxy(service, Trigger)()
 
 
-def launch(command):
-    RUNNING.append(subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True))
+def launch(command, said=subprocess.PIPE):
+    """A program; what it says is for stop() to read, or goes where `said` tells."""
+    RUNNING.append(subprocess.Popen(command, stderr=said, stdout=said, text=True))
     return RUNNING[-1]
 
 

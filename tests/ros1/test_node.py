@@ -1,5 +1,7 @@
 """What the node publishes: the poses of `tilth run` to the last bit, right frames, stamps and covariances."""
 
+import subprocess
+
 import pytest
 import rosgraph
 import rospy
@@ -113,9 +115,9 @@ def test_launch_file_and_nodelet(peer, recording, run, manager):
         rospy.delete_param("/tilth")
     rospy.set_param("/tilth/queue", 500)
     if manager:
-        launch(["/usr/lib/nodelet/nodelet", "manager", f"__name:={manager}"])
+        launch(["/usr/lib/nodelet/nodelet", "manager", f"__name:={manager}"], subprocess.DEVNULL)
     arguments = ["points:=/velodyne_points", f"base_from_lidar:={MOUNT}", f"manager:={manager}"]
-    launch(["roslaunch", "tilth_ros1", "tilth.launch", *arguments])
+    launch(["roslaunch", "tilth_ros1", "tilth.launch", *arguments], subprocess.DEVNULL)
     until(peer.connected, "all topics are there")
     play(recording, 5, "/points:=/velodyne_points")
     heard = peer.heard["/tilth/odometry"]
