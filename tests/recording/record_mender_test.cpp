@@ -155,6 +155,15 @@ TEST(RecordMender, PointsBeyondAllSenseAreNoPlane) {
   EXPECT_FALSE(says(mender.notices(), "millimetres"));
 }
 
+// One scan of far away things is no change of units, and the one after it is as those before.
+TEST(RecordMender, AScanOfFarThingsChangesNoUnit) {
+  std::vector<StampedRecords> scans = scans_of([](int k) { return cloud(k, k == 5 ? 25.0 : 1.0); });
+  RecordMender mender({scans.begin(), scans.begin() + 4}, {});
+  for (StampedRecords& scan : scans) mender.mend(scan.records);
+  EXPECT_FALSE(says(mender.notices(), "centimetres"));
+  EXPECT_LT(error_of(scans[6].records, 6), 1e-5);
+}
+
 TEST(RecordMender, RefusesFlatClouds) {
   const auto flat = [](double height, double tilt) {
     return scans_of([=](int k) {

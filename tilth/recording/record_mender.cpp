@@ -11,6 +11,7 @@
 namespace tilth {
 namespace {
 
+constexpr double kFollows = 0.2;       ///< of a scan, in what ranges are usual
 constexpr std::size_t kSample = 1024;  ///< points of a scan that tell its unit
 
 std::string text(const char* format, auto... values) {
@@ -126,7 +127,7 @@ void RecordMender::follow_unit(const PointRecords& records) {
   const std::optional<ScanExtent> extent = extent_of(points);
   if (!extent) return;
   unit_ = unit_after(unit_, *range_, *extent);
-  range_ = extent->range + std::log10(metres_of(unit_));
+  *range_ += kFollows * (extent->range + std::log10(metres_of(unit_)) - *range_);
 }
 
 void RecordMender::to_metres(PointRecords& records, const PointFieldRoles& roles) const {

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include <tilth/report/run_outputs.hpp>
 #include <tilth/run/change_record.hpp>
 #include <tilth/run/file_sinks.hpp>
@@ -7,18 +10,16 @@
 #include <tilth/run/tile_sink.hpp>
 
 namespace tilth {
+namespace {
 
-std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOptions& report, bool loop_closure,
-                                   bool keep_moving) {
-  using Path = std::filesystem::path;
-  std::vector<RunOutput> all{{"trajectory.tum", tum_sink},
-                             {"trajectory_kitti.txt", kitti_sink},
-                             {"scans.csv", scan_table_sink},
-                             {"summary.json", summary_sink},
-                             {"beams.yaml", beams_sink}};
+using Path = std::filesystem::path;
+
+/// A file for each format of the map that is asked for.
+std::vector<RunOutput> map_outputs(const OutputOptions& options) {
+  std::vector<RunOutput> all;
   const std::set<std::string> maps = map_formats(options);
+  const auto open = [origin = origin_of(options)](const Path& path) { return map_sink(path, origin); };
   for (const char* format : {"pcd", "ply", "las"}) {
-    const auto open = [origin = origin_of(options)](const Path& path) { return map_sink(path, origin); };
     if (maps.contains(format)) all.push_back({std::string("map.") + format, open});
   }
   if (maps.contains("bt")) {
@@ -29,6 +30,19 @@ std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOpt
     const int edge = options.tile;
     all.push_back({"pointcloud_map_metadata.yaml", [edge](const Path& path) { return tile_sink(path, edge); }});
   }
+  return all;
+}
+
+}  // namespace
+
+std::vector<RunOutput> run_outputs(const OutputOptions& options, const ReportOptions& report, bool loop_closure,
+                                   bool keep_moving) {
+  std::vector<RunOutput> all{{"trajectory.tum", tum_sink},
+                             {"trajectory_kitti.txt", kitti_sink},
+                             {"scans.csv", scan_table_sink},
+                             {"summary.json", summary_sink},
+                             {"beams.yaml", beams_sink}};
+  std::ranges::move(map_outputs(options), std::back_inserter(all));
   if (!keep_moving) {
     all.push_back({"moving.pcd", moving_sink});
     all.push_back({"changes.csv", changes_sink});

@@ -51,8 +51,8 @@ std::vector<MapStateInterval> state_intervals(const LocalizationRecord& record);
 /// [s] from each beginning, and each loss, to the first scan that was located, where there was one.
 std::vector<double> times_to_answer(const LocalizationRecord& record);
 
-/// Why nothing was found, where one reason runs through the searches: a sentence, or nothing. `max_scale_error` is that of
-/// the searches.
+/// Why nothing was found, where one reason runs through the searches: a sentence, or nothing. `max_scale_error` is that
+/// of the searches.
 std::optional<std::string> reason_of_failure(const LocalizationRecord& record, double max_scale_error);
 
 /// localization.csv, lines with their ends; poses are of base_link where it is known how the LiDAR is mounted.

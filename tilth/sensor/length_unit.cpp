@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kFewestPoints = 20;
 // Sixteen recordings and scenes from a desk to a motorway lie at 0.17 to 1.5 [log m], their heights at -0.5 to 0.4.
-constexpr double kFewestMetres = -1.3, kMostMetres = 1.85, kMostCentimetres = 3.05, kFewestMillimetres = 3.6;
+constexpr double kMostMetres = 1.85, kMostCentimetres = 3.05, kFewestMillimetres = 3.6;
 constexpr double kHighestCentimetres = 2.40, kLowestMillimetres = 2.50;  // [log] between, the height decides
 
 double percentile(std::vector<double>& values, double ratio) {
@@ -65,16 +65,14 @@ LengthUnit unit_of_length(const ScanExtent& extent) {
   throw Error("coordinates", text);
 }
 
-LengthUnit unit_after(LengthUnit unit, double before, const ScanExtent& extent) {
-  const double now = extent.range + std::log10(metres_of(unit));
-  if (now > kFewestMetres && now < kMostMetres) return unit;
-  LengthUnit best = LengthUnit::metres;
-  double least = std::numeric_limits<double>::infinity();
+LengthUnit unit_after(LengthUnit unit, double usual, const ScanExtent& extent) {
+  constexpr double kClearly = 1.0;  // [log] by which another unit must fit better: a tenth
+  const auto change = [&](LengthUnit other) { return std::abs(extent.range + std::log10(metres_of(other)) - usual); };
+  LengthUnit best = unit;
   for (const LengthUnit other : {LengthUnit::metres, LengthUnit::centimetres, LengthUnit::millimetres}) {
-    const double change = std::abs(extent.range + std::log10(metres_of(other)) - before);
-    if (change < least) best = other, least = change;
+    if (change(other) < change(best)) best = other;
   }
-  return best;
+  return change(unit) - change(best) > kClearly ? best : unit;
 }
 
 }  // namespace tilth

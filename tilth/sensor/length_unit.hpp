@@ -31,9 +31,9 @@ std::optional<ScanExtent> extent_of(std::span<const Eigen::Vector3d> points);
 /// millimetres, with the option that says which.
 LengthUnit unit_of_length(const ScanExtent& extent);
 
-/// The unit of a scan after others in `unit`, whose ranges had the logarithm `before` [of metres]: the same, unless no
-/// LiDAR measures that; then the one in which it sees about as far as they did.
-LengthUnit unit_after(LengthUnit unit, double before, const ScanExtent& extent);
+/// The unit of a scan after others in `unit`, whose ranges usually have the logarithm `usual` [of metres]: the same,
+/// unless it sees about as far as they did in another one, and clearly not in this.
+LengthUnit unit_after(LengthUnit unit, double usual, const ScanExtent& extent);
 
 /// "centimetres".
 std::string to_text(LengthUnit unit);
