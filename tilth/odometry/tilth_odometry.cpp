@@ -72,8 +72,7 @@ Matrix6d TilthOdometry::covariance_of(const ContinuousTimeAlignment& alignment, 
 
 bool TilthOdometry::belongs_in_map(const ContinuousTimeAlignment& alignment, double interval) const {
   if (world_.empty()) return alignment.pose.converged;
-  return alignment.pose.matches >= std::size_t(options_.align.min_matches) && !ambiguous_ &&
-         !usual_.is_poor(alignment.pose, interval);
+  return enough(alignment.pose.matches) && !ambiguous_ && !usual_.is_poor(alignment.pose, interval);
 }
 
 void TilthOdometry::insert(const ScanPatches& scan, const ContinuousTimeAlignment& alignment) {

@@ -83,6 +83,7 @@ class TilthOdometry : public Odometry {
   std::optional<Vector6d> search_start(const ScanPatches& scan, MotionPrior prior,
                                        const ContinuousTimeAlignment& found);
   Matrix6d covariance_of(const ContinuousTimeAlignment& alignment, double time);
+  bool enough(std::size_t matches) const { return matches >= std::size_t(options_.align.min_matches); }
   bool belongs_in_map(const ContinuousTimeAlignment& alignment, double interval) const;
   /// A new map, where the sensor is thought to be.
   void begin_anew(const Pose& T_map_lidar);

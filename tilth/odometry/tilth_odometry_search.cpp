@@ -19,16 +19,16 @@ std::vector<AlignResult> poses_of(const std::vector<ContinuousTimeAlignment>& al
 }  // namespace
 
 ContinuousTimeAlignment TilthOdometry::align(const ScanPatches& scan, const MotionPrior& prior) {
-  const bool enough = scan.patches.size() >= std::size_t(options_.align.min_matches);
+  const bool is_scan = enough(scan.patches.size());
   ambiguous_ = false;
   if (!world_.empty()) {
     const bool second = world_.awaits_second();
     ContinuousTimeAlignment found = second ? align_second(scan, prior) : align_to_map(scan, prior);
-    if (!second && enough && usual_.is_doubtful(found.pose, prior.interval)) found = search(scan, prior, found);
-    if (!enough || prior.interval < kMapGivenUp || belongs_in_map(found, prior.interval)) return found;
+    if (!second && is_scan && usual_.is_doubtful(found.pose, prior.interval)) found = search(scan, prior, found);
+    if (!is_scan || prior.interval < kMapGivenUp || belongs_in_map(found, prior.interval)) return found;
     begin_anew(predicted(prior));
   }
-  if (!enough) return align_to_map(scan, prior);
+  if (!is_scan) return align_to_map(scan, prior);
   return {.pose = {.converged = true, .candidates = scan.patches.size()}};
 }
 
@@ -64,8 +64,7 @@ ContinuousTimeAlignment TilthOdometry::search(const ScanPatches& scan, const Mot
   ambiguous_ = choice.ambiguous && (choice.best > 0 || prior.interval > kPredictable);
   start.T_map_lidar = tried[choice.best].pose.T_target_source, start.motion = tried[choice.best].motion;
   const ContinuousTimeAlignment found = align_to_map(scan, prior, start);
-  const bool enough = found.pose.matches >= std::size_t(options_.align.min_matches);
-  return enough && fit_of(found.pose) > fit_of(expected.pose) ? found : expected;
+  return enough(found.pose.matches) && fit_of(found.pose) > fit_of(expected.pose) ? found : expected;
 }
 
 ContinuousTimeAlignment TilthOdometry::align_second(const ScanPatches& scan, MotionPrior prior) {
