@@ -32,6 +32,11 @@ TEST(SparseBeams, KeepsBeamsThatAreFarEnoughApart) {
   for (std::size_t i = 0; i < sparse.size(); ++i) EXPECT_EQ(sparse.rings[i], i / 8);
 }
 
+TEST(SparseBeams, ASensorUpsideDownKeepsAsMany) {
+  EXPECT_EQ(sparse_beams(cloud_of({3.0, 0.9, 0.0, -0.4, -0.9, -1.5, -2.0}), 1.0).size(), 4 * 8U);  // 3, 0.9, -0.4, -1.5
+  EXPECT_EQ(sparse_beams(cloud_of({3.0, 1.0, -1.0, -3.0}), 1.9).size(), 4 * 8U);
+}
+
 TEST(SparseBeams, ASparseSensorStaysAsItIs) {
   const PointCloud cloud = cloud_of({-3.0, std::nan(""), 1.0, 3.0});
   const PointCloud same = sparse_beams(cloud, 1.9);

@@ -31,7 +31,7 @@ std::vector<std::uint16_t> renumbered(const std::vector<double>& elevations, dou
   double last = -std::numeric_limits<double>::infinity();
   std::uint16_t next = 0;
   for (std::size_t i = 0; i < elevations.size(); ++i) {
-    if (!(elevations[i] >= last + spacing)) continue;
+    if (!(std::abs(elevations[i] - last) >= spacing)) continue;
     last = elevations[i];
     rings[i] = next++;
   }

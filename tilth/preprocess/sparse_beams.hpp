@@ -6,8 +6,8 @@
 
 namespace tilth {
 
-/// The points of beams that are at least `spacing` [deg] of elevation apart, the lowest first, their rings numbered
-/// anew from 0. A beam's elevation is the median of its points'. A cloud without rings, or whose beams are that far
+/// The points of beams that are at least `spacing` [deg] of elevation apart, by ring, their rings numbered anew
+/// from 0. A beam's elevation is the median of its points'. A cloud without rings, or whose beams are that far
 /// apart already, stays as it is. O(n).
 PointCloud sparse_beams(PointCloud cloud, double spacing);
 
