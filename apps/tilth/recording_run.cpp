@@ -1,14 +1,20 @@
 #include "recording_run.hpp"
 
 #include "motion_prior_file.hpp"
+#include <tilth/calibration/beam_learner.hpp>
 #include <tilth/core/error.hpp>
+#include <tilth/odometry/make_odometry.hpp>
+#include <tilth/run/beam_record.hpp>
 #include <tilth/run/ended_run.hpp>
 #include <tilth/run/saved_map_sink.hpp>
 #include <tilth/sources/describe_source.hpp>
+#include <tilth/sources/live_source.hpp>
 #include <tilth/view/view_sink.hpp>
 
 namespace tilth::app {
 namespace {
+
+constexpr std::size_t kEnoughWindows = 24;  // of a first pass: 120 m and more
 
 SavedMapPlan saved_map(const RunArguments& run, const PlannedRun& plan, std::filesystem::path changes) {
   const auto beams = plan.beams ? std::optional(plan.beams->model) : std::nullopt;
@@ -25,10 +31,15 @@ std::unique_ptr<ScanSource> source_of(const RecordingArguments& arguments, const
 
 RecordingRun::RecordingRun(const RecordingArguments& arguments, RunObserver& observer)
     : arguments_(arguments), observer_(observer) {
-  const RunArguments& run = arguments_.run;
   if (!arguments_.truth.empty()) truth_ = read_truth(arguments_.truth, arguments_.calibration);
+  begin();
+}
+
+void RecordingRun::begin() {
+  const RunArguments& run = arguments_.run;
   plan_ = plan_run(run, describe_source(arguments_.input), describe_source({}));
-  view_ = open_view(run, observer_);
+  if (!view_) view_ = open_view(run, observer_);
+  learner_ = plan_.pipeline.beams;
   std::unique_ptr<ScanSource> source = begin_world(source_of(arguments_, plan_), run, plan_, observer_);
   const Slam* const slam = plan_.pipeline.slam;
   session_.emplace(std::move(source), std::move(plan_.pipeline), std::move(plan_.record));
@@ -40,7 +51,7 @@ void RecordingRun::add_sinks(const Slam* slam) {
   const RunArguments& run = arguments_.run;
   if (!run.out.empty()) {
     files_ = files_of(plan_.outputs);
-    folder_.emplace(run.out, files_);
+    if (!folder_) folder_.emplace(run.out, files_);
     for (const RunOutput& output : plan_.outputs) session_->add(output.open(*folder_ / output.file));
   }
   if (view_) session_->add(std::make_unique<ViewSink>(view_));
@@ -49,8 +60,46 @@ void RecordingRun::add_sinks(const Slam* slam) {
   session_->add(saved_map_sink(saved_map(run, plan_, changes), *slam));
 }
 
+/// Pipelines of others stay what was published; a sensor sends nothing twice.
+bool RecordingRun::may_begin_anew() const {
+  const RunArguments& run = arguments_.run;
+  std::error_code unknown;
+  const bool again = !run.source.starts_with(kLiveScheme) && !std::filesystem::is_fifo(run.source, unknown);
+  return again && !run.keep_beams && !run.learn_beams && session_->record().pipeline == pipelines().front().name;
+}
+
+bool RecordingRun::shows_errors(const std::optional<BeamCalibration>& found) const {
+  return found && worth_a_second_pass(*found, plan_.beams ? plan_.beams->model : BeamModel{});
+}
+
+/// To its end, or to where it is known well enough what the beams err.
+RunEnd RecordingRun::first_pass() {
+  RunArguments run = arguments_.run;
+  run.session.enough = [this] {
+    const std::optional<BeamCalibration>& found = learner_->found();
+    return found && found->windows >= kEnoughWindows && shows_errors(found);
+  };
+  return run_session(*session_, run);
+}
+
+void RecordingRun::begin_anew() {
+  const RunRecord& first = session_->record();
+  observer_.note("beams: " + beams_sentence(*first.beams) + "; begun anew without them (--keep-beams: not)");
+  arguments_.run.found_beams = first.beams->beams;
+  const double spent = first.wall_seconds;
+  session_.reset();
+  begin();
+  session_->record().wall_seconds = spent;
+}
+
 RunOutcome RecordingRun::run() {
-  RunOutcome outcome{.end = run_session(*session_, arguments_.run), .files = files_};
+  const bool anew = may_begin_anew();
+  RunOutcome outcome{.end = anew ? first_pass() : run_session(*session_, arguments_.run), .files = files_};
+  const bool over = outcome.end == RunEnd::interrupted || outcome.end == RunEnd::bad_record;
+  if (anew && !over && shows_errors(session_->record().beams)) {
+    begin_anew();
+    outcome.end = run_session(*session_, arguments_.run);
+  }
   RunRecord& record = session_->record();
   if (outcome.end != RunEnd::interrupted) require_scans(record);
   if (truth_) outcome.failures = judge_by(*truth_, record);

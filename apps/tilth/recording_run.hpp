@@ -33,16 +33,23 @@ class RecordingRun {
   /// what is wrong before the first scan.
   RecordingRun(const RecordingArguments& arguments, RunObserver& observer);
 
-  /// Once. Throws Error where there is no scan that can be used.
+  /// Once. Where the drive shows errors of the beams it begins anew without them, once (docs/beams.md). Throws Error
+  /// where there is no scan that can be used.
   RunOutcome run();
 
  private:
+  void begin();
   void add_sinks(const Slam* slam);
+  bool may_begin_anew() const;
+  bool shows_errors(const std::optional<BeamCalibration>& found) const;
+  RunEnd first_pass();
+  void begin_anew();
 
   RecordingArguments arguments_;
   RunObserver& observer_;
   std::optional<TruthFile> truth_;
   PlannedRun plan_;
+  std::shared_ptr<const BeamLearner> learner_;
   std::vector<std::string> files_;
   std::shared_ptr<ViewServer> view_;
   std::optional<Session> session_;

@@ -30,7 +30,7 @@ void add_input_options(CLI::App& command, RecordingArguments& a) {
       ->required();
   add_source_flags(command, a.input);
   add_beams_flag(command, a.run);
-  add_learn_beams_flag(command, a.run);
+  add_keep_beams_flag(command, a.run)->excludes(add_learn_beams_flag(command, a.run));
   add_base_flag(command, a.run);
   add_prior_flag(command, a.run);
   command.add_option("--max-scans", a.run.session.max_scans, "stop after so many scans");

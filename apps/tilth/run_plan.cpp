@@ -18,6 +18,11 @@ namespace {
 
 constexpr double kLevelSeconds = 2.0;  // [s] of scans that the floor is looked for in
 
+std::optional<BeamEstimate> known_beams(const RunArguments& arguments) {
+  if (arguments.found_beams) return arguments.found_beams;
+  return arguments.beams.empty() ? std::nullopt : std::optional(read_beams(arguments.beams));
+}
+
 }  // namespace
 
 std::shared_ptr<ViewServer> open_view(const RunArguments& arguments, RunObserver& observer) {
@@ -37,11 +42,12 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
   PlannedRun plan;
   plan.record = new_record(arguments.source, choice.name, choice.values);
   add_options(source_options, source_defaults, plan.record);
-  add_options(describe_beams(arguments.beams, arguments.learn_beams), describe_beams({}, false), plan.record);
+  add_options(describe_beams(arguments.beams, arguments.learn_beams, arguments.keep_beams),
+              describe_beams({}, false, false), plan.record);
   add_options(describe_prior(arguments.prior), describe_prior({}), plan.record);
   add_options(describe_mount(arguments.base_from_lidar, arguments.level), describe_mount("", false), plan.record);
   if (!arguments.base_from_lidar.empty()) plan.record.T_base_lidar = parse_mount(arguments.base_from_lidar);
-  if (!arguments.beams.empty()) plan.beams = read_beams(arguments.beams);
+  plan.beams = known_beams(arguments);
   const auto map = with<MapOptions>(arguments.map);
   plan.record.map = MapBuilder(map);
   plan.output = with<OutputOptions>(arguments.output);
@@ -63,7 +69,9 @@ PlannedRun plan_run(const RunArguments& arguments, const std::vector<OptionInfo>
 
 std::unique_ptr<ScanSource> corrected_source(std::unique_ptr<ScanSource> source, const RunArguments& arguments,
                                              const PlannedRun& plan) {
-  return plan.beams ? beam_corrected_source(std::move(source), plan.beams->model, arguments.beams) : std::move(source);
+  if (!plan.beams) return source;
+  const std::string from = arguments.found_beams ? "what a first pass found" : arguments.beams;
+  return beam_corrected_source(std::move(source), plan.beams->model, from);
 }
 
 std::unique_ptr<ScanSource> begin_world(std::unique_ptr<ScanSource> source, const RunArguments& arguments,

@@ -19,17 +19,18 @@ namespace tilth::app {
 
 struct RunArguments {
   std::string source, out;
-  std::string beams;                ///< beams.yaml; empty: none
-  std::string prior;                ///< trajectory of another source; empty: none
-  std::string save_map;             ///< folder of the map to save; empty: none
-  std::string map_to_continue;      ///< folder of a map; empty: none
-  std::string base_from_lidar;      ///< as parse_mount takes it; empty: not known
-  std::optional<ViewAddress> view;  ///< nothing: nobody watches
+  std::string beams;                        ///< beams.yaml; empty: none
+  std::optional<BeamEstimate> found_beams;  ///< by a first pass; in the place of that file
+  std::string prior;                        ///< trajectory of another source; empty: none
+  std::string save_map;                     ///< folder of the map to save; empty: none
+  std::string map_to_continue;              ///< folder of a map; empty: none
+  std::string base_from_lidar;              ///< as parse_mount takes it; empty: not known
+  std::optional<ViewAddress> view;          ///< nothing: nobody watches
   OptionArguments options;
   OptionValues map, output, report;  ///< of MapOptions, OutputOptions and ReportOptions
   SessionOptions session;
   int threads = 0;  ///< zero: as many as there are processors
-  bool loop_closure = false, learn_beams = false, level = false, quiet = false;
+  bool loop_closure = false, learn_beams = false, keep_beams = false, level = false, quiet = false;
 };
 
 /// The server for those who watch, and where it is to be found; nothing where nobody is to.

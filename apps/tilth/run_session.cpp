@@ -45,8 +45,12 @@ void add_beams_flag(CLI::App& command, RunArguments& arguments) {
   command.add_option("--beams", arguments.beams, kBeamsMeaning)->option_text("FILE");
 }
 
-void add_learn_beams_flag(CLI::App& command, RunArguments& arguments) {
-  command.add_flag("--learn-beams", arguments.learn_beams, kLearnBeamsMeaning);
+CLI::Option* add_learn_beams_flag(CLI::App& command, RunArguments& arguments) {
+  return command.add_flag("--learn-beams", arguments.learn_beams, kLearnBeamsMeaning);
+}
+
+CLI::Option* add_keep_beams_flag(CLI::App& command, RunArguments& arguments) {
+  return command.add_flag("--keep-beams", arguments.keep_beams, kKeepBeamsMeaning);
 }
 
 void add_base_flag(CLI::App& command, RunArguments& arguments) {

@@ -33,7 +33,10 @@ void add_beams_flag(CLI::App& command, RunArguments& arguments);
 void add_prior_flag(CLI::App& command, RunArguments& arguments);
 
 /// Adds --learn-beams.
-void add_learn_beams_flag(CLI::App& command, RunArguments& arguments);
+CLI::Option* add_learn_beams_flag(CLI::App& command, RunArguments& arguments);
+
+/// Adds --keep-beams.
+CLI::Option* add_keep_beams_flag(CLI::App& command, RunArguments& arguments);
 
 /// Adds --base-from-lidar.
 void add_base_flag(CLI::App& command, RunArguments& arguments);

@@ -137,6 +137,7 @@ void add_arguments(nb::module_& module) {
       .def_rw("threads", &RunArguments::threads)
       .def_rw("loop_closure", &RunArguments::loop_closure)
       .def_rw("learn_beams", &RunArguments::learn_beams)
+      .def_rw("keep_beams", &RunArguments::keep_beams)
       .def_rw("level", &RunArguments::level)
       .def("set_session",
            [](RunArguments& self, std::size_t max_scans, bool strict) {

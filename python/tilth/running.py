@@ -29,6 +29,7 @@ def run(
     outputs: Mapping[str, OptionValue] | None = None,
     beams: str | os.PathLike[str] = "",
     learn_beams: bool = False,
+    keep_beams: bool = False,
     base_from_lidar: str = "",
     level: bool = False,
     prior: str | os.PathLike[str] = "",
@@ -54,6 +55,7 @@ def run(
     outputs: of the map, the files and the report, as the flags of ``tilth run``: ``{"map_voxel": 0.05, "mcap": True}``.
     beams: file of the errors of the sensor's beams, which are taken out of every scan.
     learn_beams: errors of beams are taken out of the scans from where the drive has shown them.
+    keep_beams: errors of beams that the drive shows are told only; else the run begins anew without them.
     base_from_lidar: how the LiDAR is mounted, "x,y,z,roll,pitch,yaw" [m, deg]: poses are then of the base_link.
     level: turn the map so that the floor below the first seconds is level.
     prior: file of the LiDAR's trajectory by another source (wheels, an IMU), by the clock of the scans.
@@ -70,6 +72,8 @@ def run(
     """
     if max_scans < 0 or threads < 0:
         raise Error(f"max_scans, threads: are {max_scans}, {threads}, expected 0 or more")
+    if learn_beams and keep_beams:
+        raise Error("keep_beams: excludes learn_beams")
     if map and (not save_map or level):
         raise Error("map: is what the map of save_map goes on with, in its frame: needs save_map, excludes level")
     arguments = _tilth.RecordingArguments()
@@ -81,7 +85,8 @@ def run(
     wanted.options.settings = [f"{key}={value}" for key, value in given.items()]
     wanted.loop_closure, wanted.save_map, wanted.map_to_continue = loop_closure, os.fspath(save_map), os.fspath(map)
     wanted.set_outputs(option_values(outputs or {}))
-    wanted.beams, wanted.learn_beams, wanted.prior = os.fspath(beams), learn_beams, os.fspath(prior)
+    wanted.beams, wanted.learn_beams, wanted.keep_beams = os.fspath(beams), learn_beams, keep_beams
+    wanted.prior = os.fspath(prior)
     wanted.base_from_lidar, wanted.level, wanted.threads = base_from_lidar, level, threads
     arguments.truth, arguments.calibration = os.fspath(truth), os.fspath(calibration)
     wanted.set_session(max_scans, strict)

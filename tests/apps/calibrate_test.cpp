@@ -27,7 +27,8 @@ class Calibrate : public testing::Test {
               0);
   }
 
-  Trajectory run(const std::string& out, const std::vector<std::string>& more = {}) const {
+  /// In one pass, unless it is told how beams are to be taken.
+  Trajectory run(const std::string& out, const std::vector<std::string>& more = {"--keep-beams"}) const {
     std::vector<std::string> arguments{"run", in("drive"), "--out", in(out)};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = tilth(arguments);
@@ -68,6 +69,28 @@ TEST_F(Calibrate, FindsTheErrorsOfWornBeamsAndRunsAreBetterWithoutThem) {
   const std::string summary = text_of(folder_ / "after" / "summary.json");
   EXPECT_NE(summary.find("beams: corrected by " + in("beams.yaml") + " (ranges up to 2"), std::string::npos) << summary;
   EXPECT_NE(summary.find("\"source.beams\": \"" + in("beams.yaml")), std::string::npos);
+}
+
+TEST_F(Calibrate, ARunBeginsAnewWithoutTheErrorsThatItsDriveShows) {
+  simulate("worn");
+  const double kept = ape(run("kept"));
+  const Outcome outcome = tilth({"run", in("drive"), "--out", in("anew")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("begun anew without them"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("beams: corrected by what a first pass found (ranges up to "), std::string::npos);
+  EXPECT_LT(ape(read_tum(folder_ / "anew" / "trajectory.tum")), 0.6 * kept) << kept;
+  const Outcome next = tilth({"run", in("drive"), "--out", in("next"), "--beams", in("anew") + "/beams.yaml"});
+  EXPECT_EQ(next.exit_code, 0) << next.err;
+  EXPECT_EQ(next.out.find("begun anew"), std::string::npos) << next.out;
+}
+
+TEST_F(Calibrate, ARunOfIdealBeamsIsOnePass) {
+  simulate("ideal");
+  const Outcome outcome = tilth({"run", in("drive"), "--out", in("one")});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.find("begun anew"), std::string::npos) << outcome.out;
+  run("kept");
+  EXPECT_EQ(text_of(folder_ / "one" / "trajectory.tum"), text_of(folder_ / "kept" / "trajectory.tum"));
 }
 
 // Of only five windows chance passes two deviations now and then: hence the higher bar.

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;
 constexpr double kWorthATelling = 2e-3;  // [m] of a beam's residual
+constexpr double kWorthAPass = 3e-3;     // [m] that returns are moved by, at
+constexpr double kUsualRange = 10;       // [m]
 
 template <class... Values>
 std::string line(const char* format, Values... values) {
@@ -29,6 +31,14 @@ std::string worst_beam(const std::vector<double>& residual) {
   if (residual.empty() || !(std::abs(residual[worst]) > kWorthATelling)) return {};
   return line(", beam %zu reads %.1f mm %s", worst, std::abs(residual[worst]) / kMillimetre,
               residual[worst] > 0 ? "long" : "short");
+}
+
+/// [m] by which errors theta of n beams move a return at that range, root mean square.
+double displacement(const Eigen::VectorXd& theta, std::size_t n, double range) {
+  const Eigen::Index beams = Eigen::Index(n);
+  const double ranges = theta.head(beams).squaredNorm(), elevations = theta.segment(beams, beams).squaredNorm();
+  const double walk = theta[2 * beams], encoder = theta.tail<4>().squaredNorm() / 2;
+  return std::sqrt(ranges / double(n) + walk * walk + range * range * (elevations / double(n) + encoder));
 }
 
 nlohmann::ordered_json fit_json(const BeamFit& fit) {
@@ -50,6 +60,12 @@ std::string beams_json(const BeamCalibration& found) {
                                 {"directions", found.directions},   {"believed", found.believed},
                                 {"before", fit_json(found.before)}, {"after", fit_json(found.after)}}
       .dump();
+}
+
+bool worth_a_second_pass(const BeamCalibration& found, const BeamModel& known) {
+  const std::size_t n = found.beams.model.beams();
+  if (found.believed == 0 || n == 0) return false;
+  return displacement(parameters_of(found.beams.model, n) - parameters_of(known, n), n, kUsualRange) > kWorthAPass;
 }
 
 }  // namespace tilth

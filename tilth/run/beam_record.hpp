@@ -14,4 +14,8 @@ std::string beams_sentence(const BeamCalibration& found);
 /// [m], before and after the errors found were taken out; null of a beam that saw no surface.
 std::string beams_json(const BeamCalibration& found);
 
+/// Whether errors were found beside those of `known`, the scans' own correction, that move a return at 10 m by more
+/// than 3 mm, root mean square: a run without them would be another one.
+bool worth_a_second_pass(const BeamCalibration& found, const BeamModel& known);
+
 }  // namespace tilth

@@ -40,7 +40,7 @@ RunEnd Session::run(const SessionOptions& options) {
   record_.map.settle();
   if (pipeline_.slam != nullptr) close_loops(*pipeline_.slam, record_);
   record_.ended = to_text(end);
-  record_.wall_seconds = stopwatch.seconds();
+  record_.wall_seconds += stopwatch.seconds();
   record_.peak_megabytes = peak_megabytes();
   return end;
 }
@@ -52,6 +52,7 @@ std::vector<std::string> Session::finish() {
 RunEnd Session::register_scans(const SessionOptions& options) {
   while (options.max_scans == 0 || read_ < options.max_scans) {
     if (options.interrupted && options.interrupted()) return RunEnd::interrupted;
+    if (options.enough && options.enough()) return RunEnd::max_scans;
     const Stopwatch reading;
     const std::optional<Scan> scan = read();
     if (options.strict && !record_.skipped.empty()) return RunEnd::bad_record;

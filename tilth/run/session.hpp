@@ -27,6 +27,7 @@ struct SessionOptions {
   std::size_t max_scans = 0;               ///< zero: all
   bool strict = false;                     ///< a record that cannot be used ends the run
   std::function<bool()> interrupted = {};  ///< asked before every scan: true ends the run; empty: never
+  std::function<bool()> enough = {};       ///< asked before every scan: true ends it as max_scans does; empty: never
 };
 
 enum class RunEnd { end_of_input, max_scans, interrupted, bad_record, input_broken };

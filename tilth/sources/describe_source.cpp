@@ -28,9 +28,10 @@ std::vector<OptionInfo> describe_source(const SourceOptions& source) {
   return rows;
 }
 
-std::vector<OptionInfo> describe_beams(const std::string& file, bool learn) {
+std::vector<OptionInfo> describe_beams(const std::string& file, bool learn, bool keep) {
   return {{"source.beams", file, "-", kBeamsMeaning, "text"},
-          {"source.learn_beams", learn ? "true" : "false", "-", kLearnBeamsMeaning, "true | false"}};
+          {"source.learn_beams", learn ? "true" : "false", "-", kLearnBeamsMeaning, "true | false"},
+          {"source.keep_beams", keep ? "true" : "false", "-", kKeepBeamsMeaning, "true | false"}};
 }
 
 std::vector<OptionInfo> describe_prior(const std::string& file) {

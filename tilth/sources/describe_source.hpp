@@ -15,6 +15,9 @@ inline constexpr const char* kBeamsMeaning =
 inline constexpr const char* kLearnBeamsMeaning =
     "take errors of the beams out of the scans from where the drive has shown them";
 
+inline constexpr const char* kKeepBeamsMeaning =
+    "errors of the beams that the drive shows are told only; else the run begins anew without them";
+
 inline constexpr const char* kPriorMeaning =
     "trajectory of the LiDAR by another source (wheels, an IMU, another odometry), by the clock of the scans";
 
@@ -24,9 +27,9 @@ std::vector<OptionInfo> source_value_options();
 /// Topic, frame and rate, then those keys, each as source.KEY; with SourceOptions{} what they are where none is given.
 std::vector<OptionInfo> describe_source(const SourceOptions& source);
 
-/// The file that the scans are corrected by (empty: none), as source.beams, and whether errors found on the way are
-/// taken out, as source.learn_beams.
-std::vector<OptionInfo> describe_beams(const std::string& file, bool learn);
+/// The file that the scans are corrected by (empty: none), as source.beams, and what becomes of errors that the drive
+/// shows, as source.learn_beams and source.keep_beams.
+std::vector<OptionInfo> describe_beams(const std::string& file, bool learn, bool keep);
 
 /// The trajectory that is believed beside the scans (empty: none), as source.prior.
 std::vector<OptionInfo> describe_prior(const std::string& file);
