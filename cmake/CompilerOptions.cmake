@@ -22,5 +22,8 @@ endif()
 
 if(TILTH_SANITIZE)
   add_compile_options(-fsanitize=${TILTH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  if(TILTH_SANITIZE_WITHOUT)
+    add_compile_options(-fno-sanitize=${TILTH_SANITIZE_WITHOUT})
+  endif()
   add_link_options(-fsanitize=${TILTH_SANITIZE})
 endif()
