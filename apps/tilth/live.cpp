@@ -1,4 +1,5 @@
-// tilth live: a sensor's packets become a trajectory and a map while they come, saved at every moment.
+// tilth live: a sensor's packets, or clouds of a topic, become a trajectory and a map while they come, saved at every
+// moment.
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 
 #include "commands.hpp"
 #include "interrupt.hpp"
+#include "live_input.hpp"
 #include "localize_session.hpp"
 #include "locked_folder.hpp"
 #include "option_flags.hpp"
@@ -15,7 +17,6 @@
 #include <tilth/odometry/continued_odometry.hpp>
 #include <tilth/run/journal_sink.hpp>
 #include <tilth/run/track_record.hpp>
-#include <tilth/sources/live_source.hpp>
 #include <tilth/view/view_sink.hpp>
 
 namespace tilth::app {
@@ -28,66 +29,20 @@ struct LiveArguments : LocalizeArguments {
   bool resume = false, force = false;
 };
 
-/// Shows the run, and what of the sensor's data is lost because this computer is too slow.
-class LiveConsole final : public RunObserver {
- public:
-  LiveConsole(const LiveSource& source, Console& console) : source_(source), console_(console) {}
-
-  void note(const std::string& text) override { console_.note(text); }
-  void warn(const std::string& text) override { console_.warn(text); }
-  void progress(std::size_t scans, std::optional<std::size_t> total) override {
-    tell_drops();
-    console_.progress(scans, total);
-  }
-
- private:
-  void tell_drops() {
-    constexpr double kSecondsBetweenTellings = 1.0;
-    const LiveCounts counts = source_.counts();
-    const std::size_t packets = counts.packets.dropped + counts.packets.system_dropped;
-    if (counts.dropped + packets == told_ || telling_.seconds() < kSecondsBetweenTellings) return;
-    told_ = counts.dropped + packets;
-    telling_ = Stopwatch();
-    console_.warn("this computer is too slow: " + std::to_string(counts.dropped) + " of " +
-                  std::to_string(counts.scans) + " scans and " + std::to_string(packets) + " packets dropped so far");
-  }
-
-  const LiveSource& source_;
-  Console& console_;
-  Stopwatch telling_;
-  std::size_t told_ = 0;
-};
-
 void check_folder(const LiveArguments& arguments) {
   if (arguments.resume || arguments.force || !holds_run(arguments.run.out)) return;
   throw Error(arguments.run.out,
               "holds the trajectory of an earlier run: --resume goes on with it, --force replaces it");
 }
 
-using Enough = std::function<bool()>;
-
 /// Whether so many seconds have passed since now; never for zero.
 Enough seconds_from_now(double seconds) {
   return [seconds, since = Stopwatch()] { return seconds > 0.0 && since.seconds() > seconds; };
 }
 
-/// Listens and waits for the sensor, until it is enough; nothing where that was interrupted.
-std::unique_ptr<LiveSource> open(const LiveArguments& arguments, const Enough& enough, Console& console) {
-  const LiveAddress address = parse_live_uri(arguments.run.source, arguments.input);
-  std::unique_ptr<PacketReceiver> receiver = listen(address, [enough] { return interrupted() != 0 || enough(); });
-  console.note("listening at " + receiver->name() + "; Ctrl-C ends it");
-  if (!receiver->warning().empty()) console.warn(receiver->warning());
-  try {
-    return std::make_unique<LiveSource>(std::move(receiver), address.options);
-  } catch (const Error&) {
-    if (interrupted() == 0) throw;
-    return nullptr;
-  }
-}
-
 std::string reason(RunEnd end, bool enough) {
   if (end != RunEnd::end_of_input) return to_text(end);
-  return enough ? "as long as asked for" : "no more packets";
+  return enough ? "as long as asked for" : "the sensor is silent";
 }
 
 /// Goes on with the run in `folder`, at its last pose.
@@ -122,7 +77,7 @@ int live_in_map(const LiveArguments& a) {
   const LockedFolder folder(a.run.out, session.files());
   check_folder(a);
   remember_interrupts();
-  std::unique_ptr<LiveSource> source = open(a, seconds_from_now(a.duration), console);
+  std::unique_ptr<LiveScans> source = open_live(a.run.source, a.input, seconds_from_now(a.duration), console);
   if (!source) return signal_exit_code();
   LiveConsole observer(*source, console);
   const LocalizeSession::End end = session.run(std::move(source), observer, console);
@@ -139,7 +94,7 @@ int live(const LiveArguments& a) {
   remember_interrupts();
   const std::shared_ptr<ViewServer> view = open_view(a.run, console);
   const Enough enough = seconds_from_now(a.duration);
-  std::unique_ptr<LiveSource> source = open(a, enough, console);
+  std::unique_ptr<LiveScans> source = open_live(a.run.source, a.input, enough, console);
   if (!source) return signal_exit_code();
   LiveConsole observer(*source, console);
   std::unique_ptr<ScanSource> scans = corrected_source(std::move(source), a.run, plan);
@@ -164,10 +119,13 @@ int live(const LiveArguments& a) {
 }  // namespace
 
 void add_live(CLI::App& app, int& exit_code) {
-  CLI::App* command = app.add_subcommand("live", "Turn a sensor's packets into trajectory and map while they come");
+  CLI::App* command = app.add_subcommand("live", "Turn what a sensor sends into trajectory and map while it comes");
   const auto a = std::make_shared<LiveArguments>();
   a->run.session.interrupted = [] { return interrupted() != 0; };
-  command->add_option("SOURCE", a->run.source, "udp://[ADDRESS]:PORT to listen at, as udp://:2368")->required();
+  command
+      ->add_option("SOURCE", a->run.source,
+                   "udp://[ADDRESS]:PORT to listen at, as udp://:2368; or ros2:TOPIC with clouds, as ros2:/points")
+      ->required();
   command->add_option("--out", a->run.out, "folder for the results; made where missing")->required();
   command->add_flag("--resume", a->resume, "go on with the run in that folder, at its last pose");
   command
@@ -187,7 +145,7 @@ void add_live(CLI::App& app, int& exit_code) {
       ->excludes(map);
   command->add_option("--pipeline", a->run.options.pipeline, "see `tilth pipelines`; default: the first of them");
   add_setting_arguments(*command, a->run.options);
-  add_option_flags(*command, describe(LiveOptions{}), a->input);
+  add_live_flags(*command, a->input);
   add_beams_flag(*command, a->run);
   add_learn_beams_flag(*command, a->run);
   add_output_flags(*command, a->run);

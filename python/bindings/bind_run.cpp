@@ -16,7 +16,7 @@
 #include <tilth/run/base_frame.hpp>
 #include <tilth/run/summary_json.hpp>
 #include <tilth/run/track_record.hpp>
-#include <tilth/sources/live_source.hpp>
+#include <tilth/sources/live_scans.hpp>
 
 namespace tilth::python {
 namespace {
@@ -56,7 +56,7 @@ RunOutcome run_recording(RecordingArguments arguments, nb::object progress, nb::
   Interrupt interrupt;
   PythonObserver observer(std::move(progress), std::move(told), interrupt);
   arguments.run.session.interrupted = [&interrupt] { return interrupt.came(); };
-  return interrupt.unlocked(arguments.run.source.starts_with(kLiveScheme),
+  return interrupt.unlocked(is_live(arguments.run.source),
                             [&] { return app::RecordingRun(arguments, observer).run(); });
 }
 

@@ -11,7 +11,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "interrupt.hpp"
-#include <tilth/sources/live_source.hpp>
+#include <tilth/sources/live_scans.hpp>
 #include <tilth/sources/open_simulator.hpp>
 #include <tilth/sources/open_source.hpp>
 
@@ -38,7 +38,7 @@ PythonSource open_python_source(const std::string& uri, const std::string& topic
                                 const OptionValues& values) {
   PythonSource opened;
   Interrupt& interrupt = *opened.interrupt;
-  opened.waits = uri.starts_with(kLiveScheme);
+  opened.waits = is_live(uri);
   opened.source = interrupt.unlocked(opened.waits, [&] {
     return open_source(uri, {topic, frame, rate, values, [&interrupt] { return interrupt.came(); }});
   });

@@ -111,4 +111,26 @@ ServiceServer::~ServiceServer() {
   close(rcl_service_fini(&service_, node_.get()));
 }
 
+WaitSet::WaitSet(RclNode& node, std::size_t subscriptions, std::size_t services)
+    : set_(rcl_get_zero_initialized_wait_set()) {
+  check(rcl_wait_set_init(&set_, subscriptions, 0, 0, 0, services, 0, node.context(), rcl_get_default_allocator()),
+        "wait set");
+}
+
+WaitSet::~WaitSet() {
+  close(rcl_wait_set_fini(&set_));
+}
+
+bool WaitSet::wait(std::span<const rcl_subscription_t* const> subscriptions,
+                   std::span<const rcl_service_t* const> services, std::int64_t longest) {
+  check(rcl_wait_set_clear(&set_), "wait set");
+  for (const rcl_subscription_t* subscription : subscriptions)
+    check(rcl_wait_set_add_subscription(&set_, subscription, nullptr), "wait set");
+  for (const rcl_service_t* service : services) check(rcl_wait_set_add_service(&set_, service, nullptr), "wait set");
+  const rcl_ret_t result = rcl_wait(&set_, longest);
+  if (result == RCL_RET_TIMEOUT) return false;
+  check(result, "wait set");
+  return true;
+}
+
 }  // namespace tilth::ros2

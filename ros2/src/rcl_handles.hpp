@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <rcl/rcl.h>
 #include <span>
 #include <string>
@@ -55,6 +56,7 @@ class MessageSubscription {
   MessageSubscription& operator=(const MessageSubscription&) = delete;
 
   const rcl_subscription_t* get() const { return &subscription_; }
+  std::string topic() const { return rcl_subscription_get_topic_name(&subscription_); }
 
   /// The next message that came; empty where there is none.
   std::vector<std::byte> take();
@@ -86,6 +88,22 @@ class ServiceServer {
 
   RclNode& node_;
   rcl_service_t service_;
+};
+
+/// What is waited for together.
+class WaitSet {
+ public:
+  WaitSet(RclNode& node, std::size_t subscriptions, std::size_t services);
+  ~WaitSet();
+  WaitSet(const WaitSet&) = delete;
+  WaitSet& operator=(const WaitSet&) = delete;
+
+  /// Whether something came for one of them, before so many [ns]. No more than the set was made for.
+  bool wait(std::span<const rcl_subscription_t* const> subscriptions, std::span<const rcl_service_t* const> services,
+            std::int64_t longest);
+
+ private:
+  rcl_wait_set_t set_;
 };
 
 }  // namespace tilth::ros2

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <diagnostic_msgs/msg/diagnostic_array.h>
 #include <exception>
+#include <functional>
 #include <nav_msgs/msg/odometry.h>
 #include <nav_msgs/msg/path.h>
 #include <rcutils/logging_macros.h>
@@ -76,6 +77,12 @@ class RclOutlet final : public NodeOutlet {
   std::vector<std::unique_ptr<MessagePublisher>> topics_;  // by NodeTopic
 };
 
+rmw_qos_profile_t latched() {
+  rmw_qos_profile_t qos = rmw_qos_profile_default;
+  qos.depth = 100, qos.durability = RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL;
+  return qos;
+}
+
 /// What comes in: clouds, the clock of a simulation or recording, and what services are asked for.
 class Inlet {
  public:
@@ -86,38 +93,50 @@ class Inlet {
       return std::find_if(options.begin(), options.end(), [&](const OptionInfo& o) { return o.key == key; })->value;
     };
     rmw_qos_profile_t qos = rmw_qos_profile_sensor_data;
+    qos.depth = 1;
+    if (sim_time_)
+      listen(ROSIDL_GET_MSG_TYPE_SUPPORT(rosgraph_msgs, msg, Clock), "/clock", qos,
+             [this](auto time, auto&) { time_ = RosMessageReader(time, Serialization::cdr, "Clock").time("clock"); });
+    if (value("mount_from_tf") == "true")
+      listen(type_of(NodeTopic::tf_static), "/tf_static", latched(),
+             [this](auto fixed, auto&) { slam_.take_static_transforms(fixed); });
     qos.depth = std::max(kLeastDepth, std::stoul(value("queue")));
     if (value("reliable") == "true") qos.reliability = RMW_QOS_POLICY_RELIABILITY_RELIABLE;
-    points_ = std::make_unique<MessageSubscription>(node, ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, PointCloud2),
-                                                    "points", qos);
-    qos = rmw_qos_profile_sensor_data, qos.depth = 1;
-    if (sim_time_)
-      clock_ = std::make_unique<MessageSubscription>(node, ROSIDL_GET_MSG_TYPE_SUPPORT(rosgraph_msgs, msg, Clock),
-                                                     "/clock", qos);
-    if (value("mount_from_tf") == "true") {
-      qos = rmw_qos_profile_default, qos.depth = 100, qos.durability = RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL;
-      fixed_ = std::make_unique<MessageSubscription>(node, type_of(NodeTopic::tf_static), "/tf_static", qos);
-    }
+    listen(type_of(NodeTopic::scan), "points", qos, [this](auto cloud, auto& points) {
+      slam_.lose(points.lost());
+      slam_.take(std::move(cloud), now());
+    });
     services_ = parameter_services(node, options, sim_time_);
     for (const char* name : SlamNode::kServices) add_trigger(name);
   }
 
   /// Hands over what comes, until the program is interrupted.
   void run() {
-    rcl_wait_set_t waiting = rcl_get_zero_initialized_wait_set();
-    check(rcl_wait_set_init(&waiting, 3, 0, 0, 0, services_.size(), 0, node_.context(), rcl_get_default_allocator()),
-          "wait set");
+    WaitSet waiting(node_, heard_.size(), services_.size());
+    std::vector<const rcl_subscription_t*> subscriptions;
+    std::vector<const rcl_service_t*> services;
+    for (const Heard& heard : heard_) subscriptions.push_back(heard.subscription->get());
+    for (const auto& service : services_) services.push_back(service->get());
     while (interrupted == 0) {
       try {
-        wait(waiting);
+        if (waiting.wait(subscriptions, services, kLongestWait)) hand_over();
       } catch (const Error& error) {
         outlet_.warn(error.what());
       }
     }
-    check(rcl_wait_set_fini(&waiting), "wait set");
   }
 
  private:
+  using Take = std::function<void(std::vector<std::byte>, MessageSubscription&)>;
+  struct Heard {
+    std::unique_ptr<MessageSubscription> subscription;
+    Take take;
+  };
+
+  void listen(const rosidl_message_type_support_t* type, const char* topic, const rmw_qos_profile_t& qos, Take take) {
+    heard_.push_back({std::make_unique<MessageSubscription>(node_, type, topic, qos), std::move(take)});
+  }
+
   void add_trigger(const std::string& name) {
     services_.push_back(
         std::make_unique<TypedService<TriggerService>>(node_, "~/" + name, [this, name](const auto&, auto& response) {
@@ -127,28 +146,11 @@ class Inlet {
         }));
   }
 
-  void wait(rcl_wait_set_t& waiting) {
-    check(rcl_wait_set_clear(&waiting), "wait set");
-    check(rcl_wait_set_add_subscription(&waiting, points_->get(), nullptr), "wait set");
-    for (const auto& beside : {clock_.get(), fixed_.get()})
-      if (beside != nullptr) check(rcl_wait_set_add_subscription(&waiting, beside->get(), nullptr), "wait set");
-    for (const auto& service : services_)
-      check(rcl_wait_set_add_service(&waiting, service->get(), nullptr), "wait set");
-    const rcl_ret_t result = rcl_wait(&waiting, kLongestWait);
-    if (result == RCL_RET_TIMEOUT) return;
-    check(result, "wait set");
-    if (clock_)
-      for (std::vector<std::byte> time = clock_->take(); !time.empty(); time = clock_->take())
-        time_ = RosMessageReader(time, Serialization::cdr, "Clock").time("clock");
-    if (fixed_)
-      for (std::vector<std::byte> fixed = fixed_->take(); !fixed.empty(); fixed = fixed_->take())
-        slam_.take_static_transforms(fixed);
-    for (std::vector<std::byte> cloud = points_->take(); !cloud.empty(); cloud = points_->take()) {
-      slam_.lose(points_->lost());
-      slam_.take(std::move(cloud), now());
-    }
-    for (std::size_t i = 0; i < services_.size(); ++i)
-      if (waiting.services[i] != nullptr) services_[i]->answer();
+  void hand_over() {
+    for (const Heard& heard : heard_)
+      for (auto message = heard.subscription->take(); !message.empty(); message = heard.subscription->take())
+        heard.take(std::move(message), *heard.subscription);
+    for (const auto& service : services_) service->answer();
   }
 
   std::uint64_t now() const {
@@ -163,7 +165,7 @@ class Inlet {
   SlamNode& slam_;
   RclOutlet& outlet_;
   double time_ = 0.0;  // [s] of /clock
-  std::unique_ptr<MessageSubscription> points_, clock_, fixed_;
+  std::vector<Heard> heard_;
   std::vector<std::unique_ptr<ServiceServer>> services_;
 };
 

@@ -168,12 +168,6 @@ def run(recording, tmp_path_factory):
     return {"": odometry(), MOUNT: odometry("--base-from-lidar", MOUNT)}
 
 
-def stamp_of(message):
-    """[s], [ns] of one of ROS 1 or ROS 2."""
-    stamp = message.header.stamp
-    return (stamp.secs, stamp.nsecs) if hasattr(stamp, "secs") else (stamp.sec, stamp.nanosec)
-
-
 def pose_numbers(pose):
     p, q = pose.position, pose.orientation
     return p.x, p.y, p.z, q.x, q.y, q.z, q.w

@@ -5,11 +5,11 @@ import subprocess
 import pytest
 import rosgraph
 import rospy
-from conftest import (KEEP_ALL, MOUNT, Peer, diagnosed, launch, play, pose_numbers, stamp_of, start, stop,
-                      transform_numbers, until)
+from conftest import KEEP_ALL, MOUNT, Peer, diagnosed, launch, play, pose_numbers, start, stop, transform_numbers, until
 from geometry_msgs.msg import TransformStamped
 from mount_on_mast import mount_on_mast
 from tf2_msgs.msg import TFMessage
+from thinned_messages import NAMES, assert_thinned, is_last, stamp_of
 
 
 def assert_same(heard, expected, frames):
@@ -79,18 +79,13 @@ def test_scan_map_path_and_diagnostics(peer, recording, run):
     until(peer.connected, "all topics are there")
     play(recording, 5)
     last = run[""][-1]
-    for name in ("odometry", "map", "path", "scan"):
-        heard = peer.heard[f"/tilth/{name}"]
-        newest = lambda m: m.poses[-1] if name == "path" else m
-        until(lambda: heard and stamp_of(newest(heard[-1])) == stamp_of(last), f"the last {name}")
+    for name in NAMES:
+        until(lambda: is_last(name, peer.heard[f"/tilth/{name}"], last), f"the last {name}")
     until(lambda: diagnosed(peer, "clouds_received") == str(len(run[""])), "diagnostics of the last")
     stop(process)
     scan, whole, way = (peer.heard[f"/tilth/{name}"][-1] for name in ("scan", "map", "path"))
-    assert (scan.header.frame_id, scan.width) == ("lidar", 3000)
-    assert [field.name for field in scan.fields] == ["x", "y", "z", "intensity", "ring"]
-    assert len(scan.data) == scan.row_step == scan.width * scan.point_step
-    assert whole.header.frame_id == "map" and 4000 < whole.width <= 9000
-    assert way.header.frame_id == "map" and len(way.poses) == len(run[""])
+    assert_thinned(scan, whole, way)
+    assert len(way.poses) == len(run[""])
     for here, there in zip(way.poses, run[""]):
         assert pose_numbers(here.pose) == pose_numbers(there.pose.pose) and stamp_of(here) == stamp_of(there)
     (status,) = peer.heard["/diagnostics"][-1].status

@@ -25,7 +25,7 @@ from tf2_msgs.msg import TFMessage
 
 PROGRAM, NODE = os.environ["TILTH_PROGRAM"], os.environ["TILTH_ROS2_NODE"]
 PATIENCE = 60.0  # [s]
-RUNNING = []  # nodes of this test
+RUNNING = []  # programs of this test
 RELIABLE = QoSProfile(depth=500, reliability=ReliabilityPolicy.RELIABLE)
 LATCHED = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 TYPES = {
@@ -70,6 +70,10 @@ class Peer:
             until(lambda: self.node.count_publishers(topic) > 0, f"the node publishes {topic}")
         # Who made a client later than all else is answered by a node that knows all else by then.
         self.call(ListParameters, "/tilth/list_parameters", ListParameters.Request())
+        self.send(clouds, step)
+
+    def send(self, clouds, step):
+        """One cloud every `step` seconds."""
         due = time.monotonic()
         for cloud in clouds:
             self.clouds.publish(cloud)
@@ -95,8 +99,13 @@ def start(*parameters, arguments=()):
     command = [NODE, "--ros-args", "-r", "points:=/clouds", *arguments]
     for parameter in parameters:
         command += ["-p", parameter]
+    return launch(command, stderr=subprocess.PIPE)
+
+
+def launch(command, **how):
+    """A program; how it is begun is as for Popen."""
     environment = dict(os.environ, LD_PRELOAD=os.environ["TILTH_ROS2_PRELOAD"])
-    RUNNING.append(subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, text=True))
+    RUNNING.append(subprocess.Popen(command, **{"env": environment, "text": True, **how}))
     return RUNNING[-1]
 
 
@@ -110,7 +119,7 @@ def stop(process):
 
 @pytest.fixture(autouse=True)
 def leave_nothing():
-    """A test that fails leaves no node behind for the next one to talk to."""
+    """A test that fails leaves no program behind for the next one to talk to."""
     yield
     while RUNNING:
         RUNNING.pop().kill()
@@ -166,6 +175,13 @@ def recording(tmp_path_factory):
     return drive(tmp_path_factory.mktemp("corridor"), 1, 5.0, 15.0)
 
 
+def odometry_of(folder):
+    """What `tilth run --mcap` and `tilth live --mcap` write of it."""
+    with open(Path(folder) / "run.mcap", "rb") as file:
+        messages = make_reader(file).iter_messages(topics=["/odometry"])
+        return [deserialize_message(message.data, Odometry) for _, _, message in messages]
+
+
 @pytest.fixture(scope="session")
 def run(recording, tmp_path_factory):
     """What `tilth run` makes of the recording, without and with a mount: odometry by its stamp."""
@@ -173,10 +189,6 @@ def run(recording, tmp_path_factory):
     def odometry(*arguments):
         out = tmp_path_factory.mktemp("run")
         subprocess.run([PROGRAM, "run", recording[0], "--out", out, "--mcap", "--quiet", *arguments], check=True)
-        with open(Path(out) / "run.mcap", "rb") as file:
-            return [
-                deserialize_message(message.data, Odometry)
-                for _, _, message in make_reader(file).iter_messages(topics=["/odometry"])
-            ]
+        return odometry_of(out)
 
     return {"": odometry(), MOUNT: odometry("--base-from-lidar", MOUNT)}

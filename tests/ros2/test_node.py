@@ -8,12 +8,9 @@ from geometry_msgs.msg import TransformStamped
 from mount_on_mast import mount_on_mast
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 from tf2_msgs.msg import TFMessage
+from thinned_messages import NAMES, assert_thinned, is_last, stamp_of
 
 KEEP_ALL = ("reliable:=true", "queue:=500", "map_period:=0.0")
-
-
-def stamp_of(message):
-    return message.header.stamp.sec, message.header.stamp.nanosec
 
 
 def diagnosed(peer, key):
@@ -84,17 +81,12 @@ def test_scan_map_path_and_diagnostics(peer, recording, run):
     process = start(*KEEP_ALL, "scan_points:=3000", "map_points:=9000")
     peer.play(recording[1][:40], 0.02)
     last = run[""][39]
-    for name in ("odometry", "map", "path", "scan"):
-        heard = peer.heard[f"/tilth/{name}"]
-        newest = lambda m: m.poses[-1] if name == "path" else m
-        until(lambda: heard and stamp_of(newest(heard[-1])) == stamp_of(last), f"the last {name}")
+    for name in NAMES:
+        until(lambda: is_last(name, peer.heard[f"/tilth/{name}"], last), f"the last {name}")
     stop(process)
     scan, whole, way = (peer.heard[f"/tilth/{name}"][-1] for name in ("scan", "map", "path"))
-    assert (scan.header.frame_id, scan.width) == ("lidar", 3000)
-    assert [field.name for field in scan.fields] == ["x", "y", "z", "intensity", "ring"]
-    assert len(scan.data) == scan.row_step == scan.width * scan.point_step
-    assert whole.header.frame_id == "map" and 4000 < whole.width <= 9000
-    assert way.header.frame_id == "map" and len(way.poses) == 40
+    assert_thinned(scan, whole, way)
+    assert len(way.poses) == 40
     for here, there in zip(way.poses, run[""]):
         assert here.pose == there.pose.pose and stamp_of(here) == stamp_of(there)
     (status,) = peer.heard["/diagnostics"][-1].status

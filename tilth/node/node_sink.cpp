@@ -13,15 +13,6 @@ namespace {
 
 constexpr double kBetweenComplaints = 1.0;  // [s] of clouds that are missing
 
-std::string missing_sentence(const InboxCounts& counts) {
-  const std::string clouds = std::to_string(counts.received + counts.lost) + " clouds so far";
-  std::string text;
-  if (counts.dropped > 0) text = "this computer is too slow: " + std::to_string(counts.dropped) + " dropped";
-  if (counts.lost > 0)
-    text += (text.empty() ? "" : ", ") + std::to_string(counts.lost) + " lost on the way (reliable:=true asks again)";
-  return text + " of " + clouds;
-}
-
 bool is_corrected(const Slam* slam) {
   return slam != nullptr && slam->corrected_so_far();
 }
@@ -110,14 +101,14 @@ void NodeSink::send_diagnostics(const RunRecord& record) {
   track.values.emplace_back("clouds_lost", std::to_string(counts.lost));
   track.values.emplace_back("clouds_skipped", std::to_string(record.skipped.size()));
   const std::string missing = missing_sentence(counts);
-  if (counts.dropped + counts.lost > missing_) {
+  if (counts.missing() > missing_) {
     track.message += "; " + missing;
     if (track.level == DiagnosticLevel::ok) track.level = DiagnosticLevel::warn;
     if (missing_ == 0 || since_complaint_.seconds() > kBetweenComplaints) {
       around_.outlet.warn(missing);
       since_complaint_ = Stopwatch();
     }
-    missing_ = counts.dropped + counts.lost;
+    missing_ = counts.missing();
   }
   around_.outlet.publish(NodeTopic::diagnostics, serialize_diagnostic(track, serialization_));
 }

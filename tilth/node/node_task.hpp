@@ -5,9 +5,9 @@
 #include <string>
 
 #include <tilth/localization/place_map.hpp>
-#include <tilth/node/cloud_inbox.hpp>
 #include <tilth/node/node_outlet.hpp>
 #include <tilth/node/node_settings.hpp>
+#include <tilth/sources/cloud_inbox.hpp>
 #include <tilth/sources/scan_source.hpp>
 
 namespace tilth {

@@ -15,29 +15,11 @@
 namespace tilth {
 namespace {
 
-constexpr double kFallBack = 1.0;  // [s]; a cloud that is late by less is only left out
-
-/// Messages of the inbox, to its end, or until the stamps of one frame fall back: then a recording is played anew.
-/// `frame` becomes that of the first message, where it is empty.
-CloudFeed feed_of(const std::shared_ptr<CloudInbox>& inbox, const std::shared_ptr<std::string>& frame,
-                  NodeOutlet& outlet) {
-  CloudFeed feed{
-      .name = kCloudTopic, .next = {}, .serialization = outlet.serialization(), .trust = StampTrust::believed};
-  feed.next = [inbox, frame, &outlet, serialization = feed.serialization, last = 0.0]() mutable {
-    std::optional<Message> message = inbox->pop();
-    if (!message) return message;
-    const auto header = RosMessageReader(message->bytes, serialization, "PointCloud2").header();
-    if (frame->empty()) *frame = header.frame_id;
-    if (header.frame_id != *frame) return message;
-    if (header.stamp < last - kFallBack) {
-      outlet.warn("the stamps of the clouds fall back by " + std::to_string(last - header.stamp) + " s: begins anew");
-      inbox->close();
-      message.reset();
-    }
-    last = header.stamp;
-    return message;
-  };
-  return feed;
+/// Messages of the inbox, to its end; `frame` becomes that of the first message, where it is empty.
+CloudFeed clouds_of(const std::shared_ptr<CloudInbox>& inbox, const std::shared_ptr<std::string>& frame,
+                    NodeOutlet& outlet) {
+  return feed_of(inbox, {kCloudTopic, frame, outlet.serialization(),
+                         [&outlet](const std::string& how) { outlet.warn(how + ": begins anew"); }});
 }
 
 }  // namespace
@@ -63,7 +45,7 @@ class SlamNode::Work {
   /// That of the next session, where the last one is over or about to be.
   std::shared_ptr<CloudInbox> inbox() {
     const std::lock_guard lock(mutex_);
-    if (inbox_->closed() && !stopping_) inbox_ = std::make_shared<CloudInbox>(settings_.node.queue);
+    if (inbox_->ended() && !stopping_) inbox_ = std::make_shared<CloudInbox>(settings_.node.queue);
     return inbox_;
   }
 
@@ -89,14 +71,14 @@ class SlamNode::Work {
     try {
       run(clouds);
     } catch (const std::exception& error) {
-      if (!clouds->closed()) outlet_.warn("begins anew: " + std::string(error.what()));
+      if (!clouds->ended()) outlet_.warn("begins anew: " + std::string(error.what()));
     }
     clouds->close();
   }
 
   void run(const std::shared_ptr<CloudInbox>& clouds) {
     const auto frame = std::make_shared<std::string>(settings_.node.lidar_frame);
-    auto source = open_clouds(feed_of(clouds, frame, outlet_), settings_.node.lidar_frame, settings_.clouds, {});
+    auto source = open_clouds(clouds_of(clouds, frame, outlet_), settings_.node.lidar_frame, settings_.clouds, {});
     const std::string lidar = frame->empty() ? body_of({}) : *frame;
     if (settings_.node.mount_from_tf && !find_mount(lidar, *clouds)) return;
     const NodeSurroundings around{settings_, *clouds, outlet_};
@@ -120,7 +102,7 @@ class SlamNode::Work {
   bool find_mount(const std::string& lidar, const CloudInbox& clouds) {
     constexpr std::chrono::milliseconds kBetweenLooks(100);
     const std::string& base = settings_.node.base_frame;
-    for (bool said = false; !clouds.closed(); said = true) {
+    for (bool said = false; !clouds.ended(); said = true) {
       settings_.T_base_lidar = fixed_.wait_for(base, lidar, kBetweenLooks);
       if (settings_.T_base_lidar) return true;
       if (!said) outlet_.warn("waits for /tf_static to tell how " + lidar + " is mounted on " + base);

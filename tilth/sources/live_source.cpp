@@ -120,6 +120,15 @@ std::vector<std::string> LiveSource::notices() const {
   return all;
 }
 
+LiveScans::Losses LiveSource::losses() const {
+  const LiveCounts c = counts();
+  const std::size_t packets = c.packets.dropped + c.packets.system_dropped;
+  if (c.dropped + packets == 0) return {};
+  return {c.dropped + packets, "this computer is too slow: " + std::to_string(c.dropped) + " of " +
+                                   std::to_string(c.scans) + " scans and " + std::to_string(packets) +
+                                   " packets dropped so far"};
+}
+
 LiveCounts LiveSource::counts() const {
   const ReceiverCounts packets = receiver_->counts();
   const bool caught_up = receiver_->caught_up();

@@ -13,12 +13,10 @@
 #include <thread>
 #include <vector>
 
+#include <tilth/sources/live_scans.hpp>
 #include <tilth/sources/packet_receiver.hpp>
-#include <tilth/sources/scan_source.hpp>
 
 namespace tilth {
-
-inline const std::string kLiveScheme = "udp://";
 
 struct LiveOptions {
   PacketSourceOptions packets;
@@ -40,7 +38,7 @@ struct LiveCounts {
   bool caught_up = false;   ///< what came before the sensor was recognised is decoded: from now on the newest win
 };
 
-class LiveSource : public ScanSource {
+class LiveSource : public LiveScans {
  public:
   /// Waits until the sensor is recognised (2000 packets, or the end). Those packets are scans as well: they are worked
   /// off before newer ones win. Throws Error where the port is taken, or it ends before a known sensor has sent.
@@ -51,6 +49,7 @@ class LiveSource : public ScanSource {
 
   std::optional<Scan> next() override;
   std::vector<std::string> notices() const override;
+  Losses losses() const override;
   LiveCounts counts() const;
 
  private:

@@ -8,6 +8,7 @@
 #include <tilth/sources/live_source.hpp>
 #include <tilth/sources/open_source.hpp>
 #include <tilth/sources/packet_files.hpp>
+#include <tilth/sources/ros2_source.hpp>
 #include <tilth/sources/scan_files.hpp>
 #include <tilth/sources/simulated_source.hpp>
 #include <tilth/sources/source_uri.hpp>
@@ -25,6 +26,12 @@ std::unique_ptr<ScanSource> open_packet_file(const fs::path& path, const OptionV
   return nullptr;
 }
 
+std::unique_ptr<ScanSource> open_topic(const std::string& uri, const SourceOptions& options) {
+  OptionValues values = options.values;
+  if (!options.frame.empty()) values["frame"] = options.frame;
+  return std::make_unique<Ros2Source>(listen(parse_ros2_uri(uri, values), options.stopped));
+}
+
 }  // namespace
 
 std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOptions& options) {
@@ -36,6 +43,7 @@ std::unique_ptr<ScanSource> open_source(const std::string& uri, const SourceOpti
     const LiveAddress address = parse_live_uri(uri, options.values);
     return std::make_unique<LiveSource>(listen(address, options.stopped), address.options);
   }
+  if (uri.starts_with(kRos2Scheme)) return open_topic(uri, options);
   const SourceUri source = parse_path_uri(uri);
   SourceOptions merged = options;
   merged.values = source.values;

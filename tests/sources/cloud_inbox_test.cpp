@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <tilth/node/cloud_inbox.hpp>
+#include <tilth/sources/cloud_inbox.hpp>
 
 namespace tilth {
 namespace {
@@ -36,7 +36,7 @@ TEST(CloudInbox, HasNothingOnceItIsClosed) {
   }
   inbox.push(numbered(2));
   EXPECT_FALSE(inbox.pop());
-  EXPECT_TRUE(inbox.closed());
+  EXPECT_TRUE(inbox.ended());
   EXPECT_EQ(inbox.counts().received, 1U) << "what came later is not counted";
 }
 
