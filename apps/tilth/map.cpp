@@ -12,8 +12,10 @@
 #include <tilth/atlas/merge_maps.hpp>
 #include <tilth/core/error.hpp>
 #include <tilth/io/file_kind.hpp>
+#include <tilth/io/las_reader.hpp>
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/ply.hpp>
+#include <tilth/localization/cloud_origin.hpp>
 #include <tilth/localization/virtual_places.hpp>
 #include <tilth/run/file_sinks.hpp>
 #include <tilth/run/grid_sink.hpp>
@@ -89,21 +91,31 @@ int export_map(const MapArguments& a) {
 
 std::vector<Eigen::Vector3d> points_of(const std::string& file) {
   const std::string kind = kind_of_file(file);
-  if (kind != ".pcd" && kind != ".ply")
-    throw Error(file, "is no cloud that can be read: it must end with .pcd or .ply");
-  const PointRecords records = kind == ".pcd" ? read_pcd(file) : read_ply(file);
-  return positions_of(records, file);
+  if (kind == ".pcd") return positions_of(read_pcd(file), file);
+  if (kind == ".ply") return positions_of(read_ply(file), file);
+  if (kind == ".las") return positions_of(read_las(file), file);
+  throw Error(file, "is no cloud that can be read: it must end with .pcd, .ply or .las");
 }
 
 /// Places one after another have no motion between them that was measured: the graph has none either.
 int import_map(const MapArguments& a) {
   MapWriter writer(a.out);
   PoseGraph graph;
-  make_virtual_places(points_of(a.map), with<VirtualPlaceOptions>(a.places), [&](const VirtualPlace& place) {
+  std::vector<Eigen::Vector3d> points = points_of(a.map);
+  const Eigen::Vector3d origin = cloud_origin(points);
+  std::string source = a.map;
+  if (!origin.isZero()) {
+    for (Eigen::Vector3d& point : points) point -= origin;
+    char shift[64];
+    std::snprintf(shift, sizeof shift, "%.0f %.0f 0 m", origin.x(), origin.y());
+    std::printf("the map's frame is that of the cloud, less %s\n", shift);
+    source += std::string(", less ") + shift;
+  }
+  make_virtual_places(points, with<VirtualPlaceOptions>(a.places), [&](const VirtualPlace& place) {
     writer.add({.stamp = double(graph.poses.size()), .T_map_lidar = place.T_map_lidar}, place.patches);
     graph.poses.push_back(place.T_map_lidar);
   });
-  writer.finish({TILTH_VERSION, a.map}, graph, std::nullopt);
+  writer.finish({TILTH_VERSION, source}, graph, std::nullopt);
   std::printf("%zu places in %s\n", graph.poses.size(), a.out.c_str());
   return 0;
 }
@@ -140,7 +152,7 @@ void add_map(CLI::App& app, int& exit_code) {
   add_option_flags(*exported, describe(OccupancyOptions{}), a->plan);
   exported->callback([a, &exit_code] { exit_code = export_map(*a); });
   CLI::App* imported = command->add_subcommand("import", "Make a map of a bare cloud");
-  imported->add_option("CLOUD", a->map, "file of points, z up, in metres: .pcd or .ply")->required();
+  imported->add_option("CLOUD", a->map, "file of points, z up, in metres: .pcd, .ply or .las")->required();
   imported->add_option("--out", a->out, "folder for the map")->required();
   add_option_flags(*imported, describe(VirtualPlaceOptions{}), a->places);
   CLI::App* merged = command->add_subcommand("merge", "Make one map of two that overlap, in the frame of the first");

@@ -1,4 +1,7 @@
 // What stands behind the checksums holds on its own: bytes from anywhere are refused or understood, never a crash.
+#include <cmath>
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "io/expect_error.hpp"
@@ -24,6 +27,16 @@ TEST(MapBytes, PatchesSurviveAnyBytes) {
   });
 }
 
+// One that is no number hides behind the largest of those that are.
+TEST(MapBytes, RefusesPatchesWithValuesThatAreNoNumbers) {
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    SurfacePatches nowhere = two_patches(), shapeless = two_patches();
+    nowhere[1].mean[axis] = shapeless[1].covariance(axis, axis) = std::nan("");
+    expect_error([&] { patches_of(bytes_of(nowhere), "p"); }, {"p", "patch 1"});
+    expect_error([&] { patches_of(bytes_of(shapeless), "p"); }, {"p", "patch 1"});
+  }
+}
+
 TEST(MapBytes, PlacesSurviveAnyBytes) {
   const std::vector<PlaceRecord> records(2, PlaceRecord{.place = {.patches = 1}, .begin = 10, .size = 20});
   const std::vector<std::byte> bytes = bytes_of(records);
@@ -37,6 +50,11 @@ TEST(MapBytes, PlacesSurviveAnyBytes) {
     }
   });
   expect_error([&] { records_of(bytes, 25, "r"); }, {"r, place 0", "byte 10 to 30", "25"});
+}
+
+TEST(MapBytes, RefusesCellsBeyondTheWorld) {
+  for (const std::int32_t x : {std::numeric_limits<std::int32_t>::min(), 1 << 25})
+    expect_error([&] { cells_of(bytes_of(std::vector<UprightCell>{{x, 0, 1}}), "c"); }, {"c, cell 0", "lies farther"});
 }
 
 TEST(MapBytes, CellsSurviveAnyBytes) {

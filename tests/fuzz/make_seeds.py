@@ -278,6 +278,31 @@ def ply(kind, body):
             f"property float z\nproperty float intensity\nend_header\n").encode() + body
 
 
+def las(minor, kind, size, rows):
+    header = 375 if minor == 4 else 227
+    begin = struct.pack("<4sHH16sBB32s32sHHHII", b"LASF", 0, 0, b"", 1, minor, b"", b"", 0, 0, header, header, 0)
+    begin += struct.pack("<BHI20s", kind, size, 0 if minor == 4 else len(rows), b"")
+    begin += struct.pack("<12d", 0.001, 0.001, 0.001, 400000, 5600000, 0, 9, 0, 9, 0, 9, 0)
+    if minor == 4:
+        begin += struct.pack("<QQIQ120s", 0, 0, 0, len(rows), b"")
+    points = [struct.pack("<iiiH", *(round(1000 * v) for v in (x, y, z)), int(i)) for x, y, z, i in rows]
+    return begin + b"".join(point.ljust(size, b"\x01") for point in points)
+
+
+def map_files():
+    place = struct.pack("<8d21dQIIII", 5.0, 1, 2, 3, 0, 0, 0, 1, *([1e-4] * 21), 64, 32, 7, 2, 0)
+    cells = b"".join(struct.pack("<iiB", x, y, 1 << (x & 7)) for y in (-3, 4) for x in (-5, 2, 9))
+    patches = 4
+    floats = [[float(i) for i in range(patches)]] * 3 + [[0.1] * patches] * 3 + [[0.0] * patches] * 3
+    floats += [[1.0] * patches] + [[0.0] * patches] * 2 + [[1e-4] * patches]
+    fields = b"".join(struct.pack(f"<{patches}f", *column) for column in floats)
+    fields += struct.pack(f"<{2 * patches}H", *([9] * patches), *range(patches)) + b"\x01" * patches
+    files = "".join(f"  {name}:\n    bytes: 10\n    crc32: 99\n" for name in ("places", "uprights", "patches", "pose_graph"))
+    text = f"format: 1\nprogram: '1.2.3'\nsource: 'it''s \"x\"'\nplaces: 2\nfiles:\n{files}"
+    return {"places": b"\x00" + place + place, "uprights": b"\x01" + cells, "patches": b"\x02" + fields,
+            "map.yaml": b"\x03" + text.encode()}
+
+
 def main():
     vlp16 = [short_packet(k, 39.8, 110.592, 0x22) for k in range(3)]
     fast = [short_packet(k, 3000, 110.592, 0x22) for k in range(4)]  # many turns in few packets
@@ -325,6 +350,10 @@ def main():
     write("ply", "ascii.ply", ply("ascii", text))
     write("ply", "little.ply", ply("binary_little_endian", raw))
     write("ply", "big.ply", ply("binary_big_endian", b"".join(struct.pack(">4f", *p) for p in rows)))
+    write("las", "old.las", las(2, 3, 34, rows))
+    write("las", "wide.las", las(4, 6, 32, rows))
+    for name, content in map_files().items():
+        write("map_file", name, content)
     write("kitti_bin", "scan.bin", raw)
     write("kitti_bin", "five.bin", b"".join(struct.pack("<5f", *p, i % 16) for i, p in enumerate(rows)))
     write("kitti_bin", "six.bin", b"".join(struct.pack("<6f", *p, i % 16, i / 400) for i, p in enumerate(rows)))

@@ -14,12 +14,16 @@
 
 #include "sensor_targets.hpp"
 #include "temporary_file.hpp"
+#include <tilth/atlas/map_files.hpp>
+#include <tilth/atlas/patch_bytes.hpp>
+#include <tilth/atlas/place_table.hpp>
 #include <tilth/core/error.hpp>
 #include <tilth/io/beam_file.hpp>
 #include <tilth/io/config_file.hpp>
 #include <tilth/io/date_times_file.hpp>
 #include <tilth/io/g2o.hpp>
 #include <tilth/io/kitti_bin.hpp>
+#include <tilth/io/las_reader.hpp>
 #include <tilth/io/mcap.hpp>
 #include <tilth/io/payload_file.hpp>
 #include <tilth/io/pcap.hpp>
@@ -129,6 +133,31 @@ inline void ply(Bytes bytes) {
   decode_records(read_ply(TemporaryFile(bytes).path()));
 }
 
+inline void las(Bytes bytes) {
+  decode_records(parse_las(bytes, "fuzzed"));
+}
+
+/// The files of a saved map, past their checksums; the first byte tells which. What is read is written as it was.
+inline void map_file(Bytes bytes) {
+  if (bytes.empty()) return;
+  const unsigned kind = std::to_integer<unsigned>(bytes[0]) & 3;
+  bytes = bytes.subspan(1);
+  if (kind == 0) {
+    constexpr std::uint64_t kPatchBytes = 1 << 20;
+    for (const PlaceRecord& r : records_of(bytes, kPatchBytes, "fuzzed"))
+      require(r.begin + r.size <= kPatchBytes && r.place.T_map_lidar.matrix().allFinite());
+  } else if (kind == 1) {
+    require(std::ranges::equal(bytes_of(cells_of(bytes, "fuzzed")), bytes));
+  } else if (kind == 2) {
+    for (const SurfacePatch& p : patches_of(bytes, "fuzzed")) require(p.mean.allFinite() && p.normal.allFinite());
+  } else {
+    const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const MapList list = parse_map_list(text, "fuzzed");
+    const MapList again = parse_map_list(text_of(list), "written");
+    require(again.places == list.places && again.files.size() == list.files.size());
+  }
+}
+
 inline void kitti_bin(Bytes bytes) {
   decode_records(read_kitti_bin(TemporaryFile(bytes).path()));
 }
@@ -200,6 +229,8 @@ inline constexpr std::array kTargets{
     Target{"rosbag1", rosbag1},
     Target{"pcd", pcd},
     Target{"ply", ply},
+    Target{"las", las},
+    Target{"map_file", map_file},
     Target{"kitti_bin", kitti_bin},
     Target{"pose_file", pose_file},
     Target{"times_file", times_file},

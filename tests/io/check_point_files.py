@@ -1,4 +1,4 @@
-"""PCD and PLY against the packages pypcd4 and plyfile, both ways. Arguments: the program format_probe."""
+"""PCD and PLY against the packages pypcd4 and plyfile, both ways; LAS as laspy writes it. Arguments: the program format_probe."""
 
 import pathlib
 import subprocess
@@ -8,7 +8,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
 from needs import needs  # noqa: E402
 
-numpy, pypcd4, plyfile = needs("numpy", "pypcd4", "plyfile")
+numpy, pypcd4, plyfile, laspy = needs("numpy", "pypcd4", "plyfile", "laspy")
 PROBE = sys.argv[1]
 FIELDS = [("x", "f4"), ("y", "f4"), ("z", "f4"), ("intensity", "u1"), ("ring", "u2"), ("time", "f8")]
 
@@ -75,7 +75,25 @@ def check_ply(folder, points):
         numpy.testing.assert_array_equal(back[name], points[name], name)
 
 
+def check_las(folder, points):
+    for version, kind in [("1.2", 3), ("1.3", 1), ("1.4", 6), ("1.4", 7)]:
+        header = laspy.LasHeader(version=version, point_format=kind)
+        header.scales, header.offsets = [0.001] * 3, [400000, 5600000, 100]
+        las = laspy.LasData(header)
+        las.x, las.y, las.z = 400000 + points["y"], 5600000 + points["y"], 100 + points["z"]
+        las.intensity = points["intensity"]
+        las.classification = points["ring"] % 2 * 6 + 1  # 1 not classified, 7 noise
+        path = folder / f"{version}_{kind}.las"
+        las.write(path)
+        names, *rows = probe("dump", path).splitlines()
+        assert names.split() == ["x", "y", "z", "intensity"], names
+        kept = las.points[las.classification == 1]
+        expected = numpy.column_stack([kept.x, kept.y, kept.z, kept.intensity])
+        numpy.testing.assert_allclose([[float(word) for word in row.split()] for row in rows], expected, rtol=0, atol=1e-8)
+
+
 with tempfile.TemporaryDirectory() as name:
     check_pcd(pathlib.Path(name), some_points(1000))
     check_ply(pathlib.Path(name), some_points(1000))
+    check_las(pathlib.Path(name), some_points(1000))
 print("point files agree")

@@ -1,5 +1,5 @@
 // Lets scripts see files through Tilth's readers and writers:
-//   format_probe dump FILE        fields, then one line of numbers a point (.pcd .ply .bin), or the messages of a bag
+//   format_probe dump FILE        fields, then one line of numbers a point (.pcd .ply .las .bin), or the messages of a bag
 //   format_probe copy FILE FILE   reads one point file or bag, writes another (bags: lz4 where the name has "lz4" in
 //   it)
 #include <cstdio>
@@ -8,6 +8,7 @@
 
 #include <tilth/core/error.hpp>
 #include <tilth/io/kitti_bin.hpp>
+#include <tilth/io/las_reader.hpp>
 #include <tilth/io/mcap.hpp>
 #include <tilth/io/pcd.hpp>
 #include <tilth/io/ply.hpp>
@@ -24,6 +25,7 @@ using std::filesystem::path;
 tilth::PointRecords read_points(const path& file) {
   if (file.extension() == ".pcd") return tilth::read_pcd(file);
   if (file.extension() == ".ply") return tilth::read_ply(file);
+  if (file.extension() == ".las") return tilth::read_las(file);
   return tilth::read_kitti_bin(file);
 }
 

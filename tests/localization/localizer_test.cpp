@@ -129,7 +129,7 @@ TEST(Localizer, DoesNotBelieveScansOfAnotherSize) {
       for (Eigen::Vector3d& point : scan.cloud.points) point *= size;
       const LocatedScan located = localizer.add(scan);
       EXPECT_FALSE(located.T_map_lidar.has_value()) << "size " << size << ", scan " << i;
-      if (!located.hypotheses.empty()) scales.push_back(located.hypotheses.front().scale);
+      if (!located.hypotheses.empty()) scales.push_back(located.hypotheses.front().scale.value());
     }
     ASSERT_FALSE(scales.empty());
     EXPECT_GT(std::abs(median(scales) - 1), 0.02) << "size " << size;

@@ -35,9 +35,9 @@ SurfacePatch patch_of(const Floats& v) {
 
 bool possible(const SurfacePatch& p) {
   const double length = p.normal.norm();
-  return p.mean.cwiseAbs().maxCoeff() < kFarthest && p.covariance.cwiseAbs().maxCoeff() < kFarthest &&
-         p.covariance.diagonal().minCoeff() >= 0 && p.thickness >= 0 && p.thickness < kFarthest && length > 0.99 &&
-         length < 1.01 && p.points > 0;
+  return p.mean.allFinite() && p.covariance.allFinite() && p.mean.cwiseAbs().maxCoeff() < kFarthest &&
+         p.covariance.cwiseAbs().maxCoeff() < kFarthest && p.covariance.diagonal().minCoeff() >= 0 &&
+         p.thickness >= 0 && p.thickness < kFarthest && length > 0.99 && length < 1.01 && p.points > 0;
 }
 
 /// Values of one field of all patches, one after another, each at its place among bytes.

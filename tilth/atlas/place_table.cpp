@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -111,7 +112,7 @@ std::vector<UprightCell> cells_of(std::span<const std::byte> bytes, const std::s
     std::memcpy(&cell.y, from + sizeof cell.x, sizeof cell.y);
     cell.facings = std::to_integer<std::uint8_t>(from[2 * sizeof cell.x]);
     const std::string where = file + ", cell " + std::to_string(i);
-    if (std::abs(cell.x) > kFarthestCell || std::abs(cell.y) > kFarthestCell)
+    if (std::max(cell.x, cell.y) > kFarthestCell || std::min(cell.x, cell.y) < -kFarthestCell)
       throw Error(where, "lies farther than " + std::to_string(kFarthestCell) + " cells from the origin");
     if (i > 0 && std::pair(cell.y, cell.x) <= std::pair(cells[i - 1].y, cells[i - 1].x))
       throw Error(where, "does not come after the cell before it");

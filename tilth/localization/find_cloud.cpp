@@ -34,11 +34,11 @@ class CloudPlace final : public PlaceMap {
 bool found_back(const CloudPlace& source, const CloudPlace& target, const Pose& T_target_source,
                 const FindCloudOptions& options) {
   MapTiles tiles(source, {}, options.check.submap);
-  const PlaceFinder finder(tiles, options.find, options.check);
+  PlaceFinder finder(tiles, options.find, options.check);
   const Pose T_source_target = T_target_source.inverse();
-  const PlaceFit fit = check_place(target.query(options.check), *tiles.near(T_source_target.translation()),
-                                   T_source_target, options.check);
-  return finder.plausible(fit) && same_place(fit.T_map_lidar, T_source_target);
+  const PlaceQuery query = target.query(options.check);
+  PlaceFit fit = check_place(query, *tiles.near(T_source_target.translation()), T_source_target, options.check);
+  return finder.plausible(query, fit) && same_place(fit.T_map_lidar, T_source_target);
 }
 
 FoundPlace find_place(const CloudPlace& source, const CloudPlace& target, const FindCloudOptions& options) {

@@ -26,8 +26,9 @@ class TieFinder {
   std::optional<MapTie> check(std::size_t place, const Pose& T_map_expected) {
     const Eigen::Vector3d at = T_map_expected.translation();
     if (tiles_.distance_to_map(at) > options_.find.search.off_way) return std::nullopt;
-    const PlaceFit fit = check_place(query(place), *tiles_.near(at), T_map_expected, options_.check);
-    if (!finder_.plausible(fit) || !same_place(fit.T_map_lidar, T_map_expected)) return std::nullopt;
+    const PlaceQuery about = query(place);
+    PlaceFit fit = check_place(about, *tiles_.near(at), T_map_expected, options_.check);
+    if (!finder_.plausible(about, fit) || !same_place(fit.T_map_lidar, T_map_expected)) return std::nullopt;
     return tie_of(place, fit);
   }
 

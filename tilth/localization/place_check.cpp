@@ -3,7 +3,6 @@
 
 #include <tilth/core/evenly_chosen.hpp>
 #include <tilth/localization/place_check.hpp>
-#include <tilth/localization/place_scale.hpp>
 
 namespace tilth {
 namespace {
@@ -88,7 +87,6 @@ PlaceFit check_place(const PlaceQuery& query, const Submap& map, const Pose& T_m
   PlaceFit fit = fit_of(found, query.chosen, map, options);
   fit.fits = fits_of(query.chosen, map, fit.T_map_lidar, options);
   fit.through = share_through(query.newest, map.fine(), fit.T_map_lidar, options);
-  fit.scale = scale_in_map(query.chosen, map, fit.T_map_lidar, options.submap);
   return fit;
 }
 

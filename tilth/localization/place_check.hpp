@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include <tilth/core/options.hpp>
 #include <tilth/slam/submap.hpp>
@@ -57,8 +58,8 @@ struct PlaceFit {
   Overlap overlap = {};          ///< of the query's patches on surfaces of the map
   std::vector<float> fits = {};  ///< of each chosen patch: 1 on a surface, 0 far from any
   double through = 0.0;          ///< share of the newest beams that went through a surface of the map
-  double scale = 1.0;            ///< the map's size over that of the query: place_scale.hpp
   SubmapInformation determined = {};
+  std::optional<double> scale = {};  ///< the map's size over that of the query, where it was asked for: place_scale.hpp
 };
 
 /// T_map_start refined by registration to `map`, which is in the map's frame, and judged there.

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <tilth/localization/place_finder.hpp>
+#include <tilth/localization/place_scale.hpp>
 
 namespace tilth {
 namespace {
@@ -52,11 +53,21 @@ bool same_place(const Pose& T_map_a, const Pose& T_map_b) {
 PlaceFinder::PlaceFinder(MapTiles& tiles, const PlaceFinderOptions& options, const PlaceCheckOptions& check)
     : tiles_(tiles), options_(options), check_(check), search_(tiles.map(), options.search) {}
 
-bool PlaceFinder::plausible(const PlaceFit& fit) const {
+bool PlaceFinder::fits_but_for_size(const PlaceFit& fit) const {
   return fit.registered && fit.determined.degenerate_directions == 0 && fit.overlap.ratio >= options_.min_overlap &&
          fit.overlap.landmarks >= options_.min_landmarks && fit.overlap.fitness <= options_.max_fitness &&
-         fit.through <= options_.max_through && likeness_of(fit) >= options_.min_likeness &&
-         std::abs(fit.scale - 1) <= options_.max_scale_error;
+         fit.through <= options_.max_through && likeness_of(fit) >= options_.min_likeness;
+}
+
+void PlaceFinder::measure_size(const PlaceQuery& query, PlaceFit& fit) {
+  if (fit.scale) return;
+  fit.scale = scale_in_map(query.chosen, *tiles_.near(fit.T_map_lidar.translation()), fit.T_map_lidar, check_.submap);
+}
+
+bool PlaceFinder::plausible(const PlaceQuery& query, PlaceFit& fit) {
+  if (!fits_but_for_size(fit)) return false;
+  measure_size(query, fit);
+  return std::abs(*fit.scale - 1) <= options_.max_scale_error;
 }
 
 std::vector<PlaceFit> PlaceFinder::tried(const PlaceQuery& query, const std::vector<Pose>& starts) {
@@ -87,7 +98,7 @@ std::vector<PlaceFit> PlaceFinder::fits(const PlaceQuery& query, const std::vect
 FoundPlace PlaceFinder::find(const PlaceQuery& query, std::span<const Pose> guesses) {
   std::vector<Pose> starts(guesses.begin(), guesses.end());
   for (const PlaceCandidate& candidate : search_.find(query.patches)) starts.push_back(candidate.T_map_lidar);
-  return choose(fits(query, starts));
+  return choose(query, fits(query, starts));
 }
 
 FoundPlace PlaceFinder::find_about(const PlaceQuery& query, const Pose& T_map_given, double radius) {
@@ -99,7 +110,7 @@ FoundPlace PlaceFinder::find_about(const PlaceQuery& query, const Pose& T_map_gi
     if (!is_far(candidate.T_map_lidar)) starts.push_back(candidate.T_map_lidar);
   std::vector<PlaceFit> near = fits(query, starts);
   std::erase_if(near, [&](const PlaceFit& fit) { return is_far(fit.T_map_lidar); });
-  return choose(std::move(near));
+  return choose(query, std::move(near));
 }
 
 bool PlaceFinder::less_likely(const PlaceFit& other, const PlaceFit& best) const {
@@ -107,13 +118,14 @@ bool PlaceFinder::less_likely(const PlaceFit& other, const PlaceFit& best) const
   return fit.first > options_.alike * fit.second && fit.first - fit.second > options_.alike_least;
 }
 
-FoundPlace PlaceFinder::choose(std::vector<PlaceFit> fits) const {
+FoundPlace PlaceFinder::choose(const PlaceQuery& query, std::vector<PlaceFit> fits) {
   FoundPlace place{.hypotheses = std::move(fits)};
   std::vector<PlaceFit>& all = place.hypotheses;
   if (all.empty()) return place;
   const PlaceFit best = all[0];
   std::erase_if(all, [&](const PlaceFit& fit) { return less_likely(fit, best); });
-  if (std::none_of(all.begin(), all.end(), [&](const PlaceFit& fit) { return plausible(fit); })) return place;
+  measure_size(query, all[0]);  // also where it is refused: who asks why nothing was found is told
+  if (std::none_of(all.begin(), all.end(), [&](PlaceFit& fit) { return plausible(query, fit); })) return place;
   place.answer = all.size() == 1 ? PlaceAnswer::found : PlaceAnswer::ambiguous;
   return place;
 }

@@ -77,14 +77,17 @@ class PlaceFinder {
   /// Only within `radius` [m] of a pose that is given.
   FoundPlace find_about(const PlaceQuery& query, const Pose& T_map_given, double radius);
 
-  /// Whether a pose fits well enough to be one at all.
-  bool plausible(const PlaceFit& fit) const;
+  /// Whether a pose fits well enough to be one at all. The size of the query is asked for, and noted in `fit`, where
+  /// all else fits.
+  bool plausible(const PlaceQuery& query, PlaceFit& fit);
 
  private:
   std::vector<PlaceFit> tried(const PlaceQuery& query, const std::vector<Pose>& starts);
   std::vector<PlaceFit> fits(const PlaceQuery& query, const std::vector<Pose>& starts);
-  FoundPlace choose(std::vector<PlaceFit> fits) const;
+  FoundPlace choose(const PlaceQuery& query, std::vector<PlaceFit> fits);
   bool less_likely(const PlaceFit& other, const PlaceFit& best) const;
+  bool fits_but_for_size(const PlaceFit& fit) const;
+  void measure_size(const PlaceQuery& query, PlaceFit& fit);
 
   MapTiles& tiles_;
   PlaceFinderOptions options_;

@@ -51,8 +51,8 @@ std::optional<std::string> reason_of_failure(const LocalizationRecord& record, d
     if (is_known(row.state)) return std::nullopt;
     if (row.hypotheses.empty()) continue;
     ++searches;
-    const double scale = row.hypotheses.front().scale;
-    if (std::abs(scale - 1) > max_scale_error) scales.push_back(scale);
+    const std::optional<double> scale = row.hypotheses.front().scale;
+    if (scale && std::abs(*scale - 1) > max_scale_error) scales.push_back(*scale);
   }
   if (scales.empty()) return std::nullopt;
   constexpr double kAlike = 0.02;
@@ -101,7 +101,9 @@ void write_hypotheses(const std::filesystem::path& path, const LocalizationRecor
       out << exact_text(row.stamp) << ',' << names_of(row.state)[std::size_t(row.state)] << ',' << i
           << pose_cells(pose_of_base(h.T_map_lidar, T_base_lidar)) << ',' << h.likeness << ',' << h.against << ','
           << h.in_favour << ',' << h.overlap << ',' << h.landmarks << ',' << h.fitness << ',' << h.through << ','
-          << h.degenerate_directions << ',' << h.scale << '\n';
+          << h.degenerate_directions << ',';
+      if (h.scale) out << *h.scale;
+      out << '\n';
     }
   }
   write_text(path, out.str());

@@ -20,7 +20,7 @@ struct HypothesisRow {
   double overlap = 0.0, landmarks = 0.0;  ///< [-]
   double fitness = 0.0;                   ///< [m]
   double through = 0.0;                   ///< [-]
-  double scale = 1.0;                     ///< [-] the map's size over that of the scans
+  std::optional<double> scale = {};       ///< [-] the map's size over that of the scans, where it was asked for
   int degenerate_directions = 0;
 };
 
