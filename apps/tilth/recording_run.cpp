@@ -8,7 +8,7 @@
 #include <tilth/run/ended_run.hpp>
 #include <tilth/run/saved_map_sink.hpp>
 #include <tilth/sources/describe_source.hpp>
-#include <tilth/sources/live_source.hpp>
+#include <tilth/sources/live_scans.hpp>
 #include <tilth/view/view_sink.hpp>
 
 namespace tilth::app {
@@ -64,7 +64,7 @@ void RecordingRun::add_sinks(const Slam* slam) {
 bool RecordingRun::may_begin_anew() const {
   const RunArguments& run = arguments_.run;
   std::error_code unknown;
-  const bool again = !run.source.starts_with(kLiveScheme) && !std::filesystem::is_fifo(run.source, unknown);
+  const bool again = !is_live(run.source) && !std::filesystem::is_fifo(run.source, unknown);
   return again && !run.keep_beams && !run.learn_beams && session_->record().pipeline == pipelines().front().name;
 }
 
