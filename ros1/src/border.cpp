@@ -26,7 +26,7 @@ class Carried final : public NodeOutlet {
 };
 
 std::size_t queue_of(const Parameters& parameters) {
-  for (const OptionInfo& option : node_parameters(parameters))
+  for (const NodeParameter& option : node_parameters(parameters))
     if (option.key == "queue") return std::size_t(number_of(option));
   return 0;
 }
@@ -51,6 +51,10 @@ void Node::take(const std::uint8_t* cloud, std::size_t bytes, std::uint64_t arri
 
 void Node::take_static_transforms(const std::uint8_t* message, std::size_t bytes) {
   inside_->slam.take_static_transforms({reinterpret_cast<const std::byte*>(message), bytes});
+}
+
+void Node::take_guess(const std::uint8_t* message, std::size_t bytes) {
+  inside_->slam.take_guess({reinterpret_cast<const std::byte*>(message), bytes});
 }
 
 std::size_t Node::queue() const {

@@ -37,6 +37,7 @@ class Node {
 
   void take(const std::uint8_t* cloud, std::size_t bytes, std::uint64_t arrival);
   void take_static_transforms(const std::uint8_t* message, std::size_t bytes);
+  void take_guess(const std::uint8_t* message, std::size_t bytes);
   std::size_t queue() const;  ///< [clouds] that may wait
 
   struct Answer {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <diagnostic_msgs/DiagnosticArray.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
 #include <nav_msgs/Odometry.h>
 #include <nav_msgs/Path.h>
 #include <sensor_msgs/PointCloud2.h>
@@ -51,6 +52,8 @@ RosOutlet::Published published(ros::NodeHandle& own, const Topic& topic) {
   if (topic.type == "nav_msgs/Path") return published<nav_msgs::Path>(own, name, topic.latched);
   if (topic.type == "tf2_msgs/TFMessage") return published<tf2_msgs::TFMessage>(own, name, topic.latched);
   if (topic.type == "sensor_msgs/PointCloud2") return published<sensor_msgs::PointCloud2>(own, name, topic.latched);
+  if (topic.type == "geometry_msgs/PoseWithCovarianceStamped")
+    return published<geometry_msgs::PoseWithCovarianceStamped>(own, name, topic.latched);
   return published<diagnostic_msgs::DiagnosticArray>(own, name, topic.latched);
 }
 
@@ -109,8 +112,10 @@ RosNode::RosNode(ros::NodeHandle common, ros::NodeHandle own) : outlet_(own), no
     services_.push_back(own.advertiseService(name, answer));
   }
   const auto take_fixed = [this](const auto* data, std::size_t bytes) { node_.take_static_transforms(data, bytes); };
+  const auto take_guess = [this](const auto* data, std::size_t bytes) { node_.take_guess(data, bytes); };
   const auto take = [this](const auto* data, std::size_t bytes) { node_.take(data, bytes, ros::Time::now().toNSec()); };
   fixed_ = subscribed<tf2_msgs::TFMessage>(common, "/tf_static", kKept, take_fixed);
+  guess_ = subscribed<geometry_msgs::PoseWithCovarianceStamped>(common, "initialpose", kKept, take_guess);
   points_ = subscribed<sensor_msgs::PointCloud2>(common, "points", std::max(kLeastDepth, node_.queue()), take);
 }
 

@@ -39,7 +39,7 @@ class RosNode {
   RosOutlet outlet_;
   Node node_;
   std::vector<ros::ServiceServer> services_;
-  ros::Subscriber fixed_, points_;  // last: their callbacks use the members above
+  ros::Subscriber fixed_, guess_, points_;  // last: their callbacks use the members above
 };
 
 }  // namespace tilth::ros1

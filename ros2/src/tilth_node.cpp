@@ -5,6 +5,7 @@
 #include <diagnostic_msgs/msg/diagnostic_array.h>
 #include <exception>
 #include <functional>
+#include <geometry_msgs/msg/pose_with_covariance_stamped.h>
 #include <nav_msgs/msg/odometry.h>
 #include <nav_msgs/msg/path.h>
 #include <rcutils/logging_macros.h>
@@ -13,7 +14,8 @@
 #include <std_srvs/srv/trigger.h>
 #include <tf2_msgs/msg/tf_message.h>
 
-#include "parameters.hpp"
+#include "parameter_services.hpp"
+#include "start_parameters.hpp"
 #include <tilth/core/error.hpp>
 #include <tilth/messages/ros_message.hpp>
 #include <tilth/node/node_options.hpp>
@@ -37,6 +39,7 @@ const rosidl_message_type_support_t* type_of(NodeTopic topic) {
     case NodeTopic::path: return ROSIDL_GET_MSG_TYPE_SUPPORT(nav_msgs, msg, Path);
     case NodeTopic::scan:
     case NodeTopic::map: return ROSIDL_GET_MSG_TYPE_SUPPORT(sensor_msgs, msg, PointCloud2);
+    case NodeTopic::pose: return ROSIDL_GET_MSG_TYPE_SUPPORT(geometry_msgs, msg, PoseWithCovarianceStamped);
     case NodeTopic::diagnostics: break;
   }
   return ROSIDL_GET_MSG_TYPE_SUPPORT(diagnostic_msgs, msg, DiagnosticArray);
@@ -86,11 +89,11 @@ rmw_qos_profile_t latched() {
 /// What comes in: clouds, the clock of a simulation or recording, and what services are asked for.
 class Inlet {
  public:
-  Inlet(RclNode& node, const StartParameters& parameters, SlamNode& slam, RclOutlet& outlet)
-      : node_(node), sim_time_(parameters.use_sim_time), slam_(slam), outlet_(outlet) {
-    const auto options = node_parameters(parameters.values);
+  Inlet(RclNode& node, bool use_sim_time, SlamNode& slam, RclOutlet& outlet)
+      : node_(node), sim_time_(use_sim_time), slam_(slam), outlet_(outlet) {
+    const std::vector<NodeParameter> known = slam.parameters();
     const auto value = [&](const std::string& key) {
-      return std::find_if(options.begin(), options.end(), [&](const OptionInfo& o) { return o.key == key; })->value;
+      return std::find_if(known.begin(), known.end(), [&](const NodeParameter& p) { return p.key == key; })->value;
     };
     rmw_qos_profile_t qos = rmw_qos_profile_sensor_data;
     qos.depth = 1;
@@ -100,13 +103,15 @@ class Inlet {
     if (value("mount_from_tf") == "true")
       listen(type_of(NodeTopic::tf_static), "/tf_static", latched(),
              [this](auto fixed, auto&) { slam_.take_static_transforms(fixed); });
+    listen(type_of(NodeTopic::pose), "initialpose", rmw_qos_profile_default,
+           [this](auto guess, auto&) { slam_.take_guess(guess); });
     qos.depth = std::max(kLeastDepth, std::stoul(value("queue")));
     if (value("reliable") == "true") qos.reliability = RMW_QOS_POLICY_RELIABILITY_RELIABLE;
     listen(type_of(NodeTopic::scan), "points", qos, [this](auto cloud, auto& points) {
       slam_.lose(points.lost());
       slam_.take(std::move(cloud), now());
     });
-    services_ = parameter_services(node, options, sim_time_);
+    services_ = parameter_services(node, slam, sim_time_);
     for (const char* name : SlamNode::kServices) add_trigger(name);
   }
 
@@ -180,7 +185,7 @@ int main(int count, char** arguments) {
     const StartParameters parameters = read_parameters(node);
     RclOutlet outlet(node);
     tilth::SlamNode slam(parameters.values, outlet);
-    Inlet(node, parameters, slam, outlet).run();
+    Inlet(node, parameters.use_sim_time, slam, outlet).run();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "tilth_node: %s\n", error.what());
     return 1;

@@ -150,6 +150,9 @@ TEST_F(Live, BadArgumentsAreRefused) {
   };
   refused({"live", "some.pcap", "--out", in("a")}, "udp://[ADDRESS]:PORT");
   refused({"live", "udp://" + address(), "--idle", "0.2", "--out", in("a")}, "no packet came");
+  refused({"live", "ros2:/points", "--library", in("libtilth_ros2.so"), "--out", in("a")}, "cannot be loaded");
+  refused({"live", "ros2:/points", "--host", "1.2.3.4", "--out", in("a")}, "means nothing for a topic of ROS 2");
+  refused({"live", "udp://" + address(), "--reliable", "--out", in("a")}, "means nothing for packets of a sensor");
   refused({"play", in("none.pcap"), "--to", address()}, "no such file");
   refused({"play", "sim://corridor", "--to", "127.0.0.1"}, "has no port");
   refused({"play", "sim://corridor", "--to", ":2368"}, "names no computer");

@@ -373,6 +373,8 @@ def main():
     write("point_cloud2_cdr", "cloud", cloud_cdr(40))
     mount = struct.pack("<IIII", 1, 0, 17, 5) + struct.pack("<I", 4) + b"base" + struct.pack("<I", 5) + b"lidar"
     write("tf_message", "ros1", b"\x00" + mount + struct.pack("<7d", 0.3, 0, 0.7, 0, 0, 0, 1))
+    guess = struct.pack("<IIII", 1, 0, 17, 3) + b"map" + struct.pack("<7d", 3, -1, 0, 0, 0, 0.6, 0.8) + struct.pack("<36d", *[0] * 36)
+    write("pose_guess", "ros1", b"\x00" + guess)
     write("packet_message", "velodyne_ros1", b"\x01" + scan_message(vlp16[:2], False))
     write("packet_message", "velodyne_cdr", b"\x03" + scan_message(vlp16[:2], True))
     write("packet_message", "lslidar", b"\x00" + struct.pack("<II", 17, 5) + long_packet(0))

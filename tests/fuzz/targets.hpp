@@ -37,6 +37,7 @@
 #include <tilth/io/unpack.hpp>
 #include <tilth/messages/packet_message.hpp>
 #include <tilth/messages/point_cloud2.hpp>
+#include <tilth/messages/pose_estimate.hpp>
 #include <tilth/messages/tf_message.hpp>
 #include <tilth/recording/recording_decoder.hpp>
 #include <tilth/view/client_feed.hpp>
@@ -123,6 +124,13 @@ inline void tf_message(Bytes bytes) {
   const Serialization serialization = bytes[0] == std::byte(0) ? Serialization::ros1 : Serialization::cdr;
   for (const StampedTransform& transform : parse_tf(bytes.subspan(1), serialization))
     require(transform.T_world_body.matrix().allFinite());
+}
+
+/// The first byte tells the serialisation.
+inline void pose_guess(Bytes bytes) {
+  if (bytes.empty()) return;
+  const Serialization serialization = bytes[0] == std::byte(0) ? Serialization::ros1 : Serialization::cdr;
+  require(parse_pose_guess(bytes.subspan(1), serialization).T_world_body.matrix().allFinite());
 }
 
 inline void pcd(Bytes bytes) {
@@ -239,6 +247,7 @@ inline constexpr std::array kTargets{
     Target{"beam_file", beam_file},
     Target{"point_cloud2", point_cloud2},
     Target{"tf_message", tf_message},
+    Target{"pose_guess", pose_guess},
     Target{"point_cloud2_cdr", point_cloud2_cdr},
     Target{"packet_message", packet_message},
     Target{"rosbag2", rosbag2},

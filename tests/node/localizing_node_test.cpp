@@ -1,13 +1,15 @@
 // A node in a map that another one saved: poses in the map's frame where the place is known, and nothing is claimed
 // where it is not.
 #include <io/temporary_folder.hpp>
-#include <node/driven_clouds.hpp>
 #include <node/kept_messages.hpp>
+#include <sources/driven_clouds.hpp>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
 #include <tilth/core/error.hpp>
 #include <tilth/io/trajectory_file.hpp>
+#include <tilth/messages/pose_estimate.hpp>
 #include <tilth/node/slam_node.hpp>
 #include <tilth/simulation/simulator.hpp>
 
@@ -114,6 +116,57 @@ TEST(LocalizingNode, SearchesAnewWhenAsked) {
   EXPECT_LT((next[0].translation - last[1].translation).norm(), 0.3) << "the way in odom goes on";
   ASSERT_EQ(read_tf(messages.back()).size(), 2U);
   EXPECT_LT(error_of(read_tf(messages.back())), 0.05);
+}
+
+/// "About there": where the base truly is in the map at `stamp`, moved by an offset.
+std::vector<std::byte> guess_at(double stamp, const Eigen::Vector3d& offset, const std::string& frame = "map") {
+  const Pose T_map_world = interpolate(truth_of("5"), drives().first_poses.front().stamp).inverse();
+  const Pose T_map_base =
+      Eigen::Translation3d(offset) * T_map_world * interpolate(truth_of("6"), stamp) * kMount.inverse();
+  return serialize_pose_estimate({stamp, T_map_base}, Matrix6d::Identity(), frame);
+}
+
+TEST(LocalizingNode, SearchesWhereItIsSaidToBe) {
+  Kept kept;
+  SlamNode node(drives().parameters(), kept);
+  node.take_guess(guess_at(kSeen, {0, 60, 0}));  // before any cloud came
+  const std::vector<Message>& clouds = drives().second;
+  const std::size_t half = clouds.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) node.take(clouds[i].bytes, clouds[i].stamp);
+  for (const auto& message : kept.wait_for(NodeTopic::tf, half)) EXPECT_EQ(read_tf(message).size(), 1U) << "not there";
+  kept.wait_for(NodeTopic::diagnostics, half);
+  EXPECT_TRUE(kept.wait_for(NodeTopic::pose, 0).empty());
+  node.take_guess(guess_at(1e-9 * double(clouds[half].stamp) - 0.1, {0.5, -0.3, 0}));
+  for (std::size_t i = half; i < clouds.size(); ++i) node.take(clouds[i].bytes, clouds[i].stamp);
+  const auto messages = kept.wait_for(NodeTopic::tf, clouds.size());
+  kept.wait_for(NodeTopic::diagnostics, clouds.size());
+  const auto poses = kept.wait_for(NodeTopic::pose, 1);
+  std::size_t known = 0;
+  for (const std::vector<std::byte>& message : messages) {
+    const std::vector<ReadTransform> both = read_tf(message);
+    if (both.size() < 2) continue;
+    EXPECT_LT(error_of(both), 0.05);
+    ASSERT_LT(known, poses.size());
+    const PoseGuess pose = parse_pose_guess(poses[known++], Serialization::cdr);
+    EXPECT_EQ(pose.world, "map");
+    const Pose T_map_base(Eigen::Translation3d(both[0].translation) * both[0].rotation *
+                          Eigen::Translation3d(both[1].translation) * both[1].rotation);
+    EXPECT_TRUE(pose.T_world_body.isApprox(T_map_base, 1e-6));
+  }
+  EXPECT_GT(known, half / 2);
+  EXPECT_EQ(poses.size(), known) << "told while it is known, and only then";
+}
+
+TEST(LocalizingNode, LeavesOutAGuessThatIsNotUnderstood) {
+  for (const auto& [parameters, guess, reason] :
+       {std::tuple{drives().parameters(), guess_at(kSeen, {0, 0, 0}, "world"), "expected 'map'"},
+        std::tuple{drives().parameters(), std::vector<std::byte>(20), "PoseWithCovarianceStamped"},
+        std::tuple{OptionValues{}, guess_at(kSeen, {0, 0, 0}), "no map to be found in"}}) {
+    Kept kept;
+    SlamNode node(parameters, kept);
+    node.take_guess(guess);
+    EXPECT_NE(kept.wait_for_warning().find(reason), std::string::npos) << kept.wait_for_warning();
+  }
 }
 
 TEST(LocalizingNode, RefusesWhatIsNoMap) {

@@ -49,7 +49,7 @@ class LoopedRun {
 
   const Trajectory& odometry() const { return session_->record().trajectory; }
   PointRecords map(bool corrected) const {
-    return map_of(session_->record(), corrected ? slam_ : nullptr).thinned_records(settings_.node.map_points);
+    return map_of(session_->record(), corrected ? slam_ : nullptr).thinned_records(settings_.node.running.map_points);
   }
   Trajectory corrected() const { return slam_->trajectory(); }
   Pose end() const { return true_motion(simulator_, odometry().front().stamp, odometry().back().stamp); }

@@ -3,8 +3,8 @@
 #include <functional>
 #include <io/temporary_folder.hpp>
 #include <map>
-#include <node/driven_clouds.hpp>
 #include <node/kept_messages.hpp>
+#include <sources/driven_clouds.hpp>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -14,6 +14,7 @@
 #include <tilth/messages/point_cloud2.hpp>
 #include <tilth/messages/pose_message.hpp>
 #include <tilth/node/node_options.hpp>
+#include <tilth/node/parameter_value.hpp>
 #include <tilth/node/slam_node.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/run/base_frame.hpp>
@@ -231,10 +232,15 @@ TEST(SlamNode, SaysWhyItCannotBeginAndTriesAgain) {
 }
 
 TEST(NodeParameters, AreTheOptionsWithTheirBounds) {
-  std::map<std::string, OptionInfo> all;
-  for (const OptionInfo& option : node_parameters({{"map_voxel", "0.2"}})) all[option.key] = option;
+  std::map<std::string, NodeParameter> all;
+  for (const NodeParameter& parameter : node_parameters({{"map_voxel", "0.2"}})) all[parameter.key] = parameter;
   EXPECT_EQ(all.at("map_voxel").value, "0.2");
   EXPECT_EQ(all.at("queue").allowed, "1 .. 1000");
+  EXPECT_EQ(type_of(all.at("queue")), ParameterType::integer);
+  EXPECT_EQ(type_of(all.at("localize.track_patches")), ParameterType::integer) << "in groups as well";
+  EXPECT_EQ(type_of(all.at("map_voxel")), ParameterType::number);
+  EXPECT_EQ(type_of(all.at("publish_tf")), ParameterType::flag);
+  EXPECT_EQ(type_of(all.at("times")), ParameterType::text);
   EXPECT_TRUE(all.contains("base_from_lidar"));
   for (const OptionInfo& option : describe_odometry("tilth", {})) EXPECT_TRUE(all.contains(option.key)) << option.key;
   EXPECT_THROW(node_parameters({{"map_voxle", "0.2"}}), Error);

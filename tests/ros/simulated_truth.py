@@ -39,15 +39,46 @@ class Truth:
         return matrix(position, self.rows[np.argmin(np.abs(stamps - stamp)), 4:])
 
 
-def errors_in_map(heard, saved, mapped, driven):
-    """[m] of each message that says where the LiDAR is in the map of the folder `saved`, which begins where the drive
-    in `mapped` did at its first pose; the one that was heard is in `driven`."""
-    world_map = Truth(mapped)(np.loadtxt(saved / "trajectory.tum")[0, 0])
-    truth, errors = Truth(driven), []
+class MapTruth:
+    """T_map_lidar of the drive in the folder `driven`, in the map of the folder `saved`, which begins where the drive in
+    `mapped` did at its first pose."""
+
+    def __init__(self, saved, mapped, driven):
+        self.world_map = Truth(mapped)(np.loadtxt(saved / "trajectory.tum")[0, 0])
+        self.driven = Truth(driven)
+
+    def __call__(self, stamp):
+        return np.linalg.inv(self.world_map) @ self.driven(stamp)
+
+
+def errors_in_map(heard, truth):
+    """[m] from that truth of each message of /tf that says where the LiDAR is in the map."""
+    errors = []
     for message in heard:
         if len(message.transforms) < 2:
             continue
         map_odom, odom_lidar = (matrix_of(t.transform) for t in message.transforms)
-        expected = np.linalg.inv(world_map) @ truth(seconds(message.transforms[1].header.stamp))
+        expected = truth(seconds(message.transforms[1].header.stamp))
         errors.append(np.linalg.norm((map_odom @ odom_lidar - expected)[:3, 3]))
     return errors
+
+
+def assert_told_where_known(poses, heard):
+    """Each of `poses` (PoseWithCovarianceStamped) is what the message of /tf of its stamp says; both come together."""
+    known = {seconds(m.transforms[1].header.stamp): m for m in heard if len(m.transforms) == 2}
+    assert [seconds(pose.header.stamp) for pose in poses] == list(known)
+    for pose in poses:
+        map_odom, odom_lidar = (matrix_of(t.transform) for t in known[seconds(pose.header.stamp)].transforms)
+        at = pose.pose.pose.position
+        assert np.allclose((map_odom @ odom_lidar)[:3, 3], (at.x, at.y, at.z), atol=1e-6)
+        covariance = np.reshape(pose.pose.covariance, (6, 6))
+        assert pose.header.frame_id == "map" and np.all(np.linalg.eigvalsh(covariance) > 0)
+
+
+def fill_guess(guess, T_map_lidar, offset, frame="map"):
+    """Of a PoseWithCovarianceStamped: that pose as RViz sends it, on the ground, `offset` [m] beside."""
+    guess.header.frame_id = frame
+    guess.pose.pose.position.x, guess.pose.pose.position.y = (float(v) for v in T_map_lidar[:2, 3] + offset)
+    yaw = np.arctan2(T_map_lidar[1, 0], T_map_lidar[0, 0])
+    guess.pose.pose.orientation.z, guess.pose.pose.orientation.w = float(np.sin(yaw / 2)), float(np.cos(yaw / 2))
+    return guess

@@ -13,6 +13,7 @@ import rosbag
 import rosgraph
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import PoseWithCovarianceStamped
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 from nav_msgs.msg import Odometry, Path as Way
@@ -30,6 +31,7 @@ TYPES = {
     "/tilth/map": PointCloud2,
     "/tf": TFMessage,
     "/tf_static": TFMessage,
+    "/tilth/pose": PoseWithCovarianceStamped,
     "/diagnostics": DiagnosticArray,
 }
 MOUNT = "0.3,0.1,0.7,2,-3,20"

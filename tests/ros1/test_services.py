@@ -1,9 +1,13 @@
 """What the node can be asked for: parameters, the map, a new beginning, its place in a map."""
 
+import time
+
 import numpy as np
 import pytest
+import rospy
 from conftest import KEEP_ALL, PATIENCE, Peer, call, diagnosed, drive, play, start, stop, until
-from simulated_truth import errors_in_map
+from geometry_msgs.msg import PoseWithCovarianceStamped
+from simulated_truth import MapTruth, assert_told_where_known, errors_in_map, fill_guess
 
 
 def position(message):
@@ -63,22 +67,25 @@ def test_a_recording_that_is_played_again_begins_anew(peer, sim_time, recording,
     assert np.linalg.norm(position(heard[count])) < 0.3, "the world begins at its first scan"
 
 
-def saved_map(peer, bag, folder):
-    """Of the drive, by the service."""
-    process = start({**KEEP_ALL, "loop_closure": True, "save_map": str(folder)})
+@pytest.fixture(scope="module")
+def mapped(tmp_path_factory):
+    """The folder of a map that the node saved, where another drive was in it, and the bag of that drive."""
+    folder = tmp_path_factory.mktemp("mapped")
+    first, second = drive(folder / "first", 5, 5.0, 15.0), drive(folder / "second", 6, 7.0, 13.0)
+    process = start({**KEEP_ALL, "loop_closure": True, "save_map": str(folder / "map")})
+    peer = Peer()
     until(peer.connected, "all topics are there")
-    play(bag, 2)
+    play(first, 2)
     until(lambda: len(peer.heard["/tilth/odometry"]) > 90, "nearly all poses")
     saved = call("/tilth/save_map")
     assert saved.success, saved.message
-    stop(process)
-    return folder
-
-
-def test_it_is_found_in_a_map_that_was_saved(peer, tmp_path):
-    first, second = drive(tmp_path / "first", 5, 5.0, 15.0), drive(tmp_path / "second", 6, 7.0, 13.0)
-    saved = saved_map(peer, first, tmp_path / "map")
     peer.close()
+    stop(process)
+    return folder / "map", MapTruth(folder / "map", folder / "first", folder / "second"), second
+
+
+def test_it_is_found_in_a_map_that_was_saved(mapped):
+    saved, truth, second = mapped
     process = start({**KEEP_ALL, "map": str(saved / "places")})
     located = Peer()
     until(located.connected, "all topics are there")
@@ -94,8 +101,40 @@ def test_it_is_found_in_a_map_that_was_saved(peer, tmp_path):
     assert stop(process)[0] == 0
     assert [t.child_frame_id for t in heard[0].transforms] == ["lidar"], "nothing is claimed"
     assert [t.child_frame_id for t in heard[asked].transforms] == ["lidar"], "nor when it was asked to search anew"
-    errors = errors_in_map(heard, saved, first.parent, second.parent)
+    errors, poses = errors_in_map(heard, truth), located.heard["/tilth/pose"]
+    until(lambda: len(poses) >= len(errors), lambda: f"{len(poses)} poses in the map")
+    assert_told_where_known(poses, heard)
     print(f"{len(errors)} of {len(heard)} poses in the map, {max(errors):.4f} m from the truth at most")
     assert len(errors) > len(heard) / 2 and max(errors) < 0.05
     (whole,) = located.heard["/tilth/map"]
     assert whole.header.frame_id == "map" and whole.width > 1000
+    located.close()
+
+
+def test_it_is_searched_for_where_it_is_said_to_be(mapped):
+    saved, truth, second = mapped
+    process = start({**KEEP_ALL, "map": str(saved / "places")})
+    located = Peer()
+    guesses = rospy.Publisher("/initialpose", PoseWithCovarianceStamped, queue_size=2)
+    until(located.connected, "all topics are there")
+    until(lambda: guesses.get_num_connections() > 0, "the node listens to guesses")
+    guesses.publish(fill_guess(PoseWithCovarianceStamped(), truth(7.0), (0.0, 60.0)))
+    guesses.publish(fill_guess(PoseWithCovarianceStamped(), truth(7.0), (0.0, 0.0), "elsewhere"))
+    time.sleep(0.5)
+    play(second, 1, "--duration", "3")
+    heard = located.heard["/tf"]
+    until(lambda: len(heard) >= 28, lambda: f"{len(heard)} transforms")
+    assert not errors_in_map(heard, truth), "it is not where the guess was"
+    guesses.publish(fill_guess(PoseWithCovarianceStamped(), truth(10.0), (0.6, -0.4)))
+    time.sleep(0.5)
+    play(second, 1, "--start", "3")
+    until(lambda: len(heard) >= 56, lambda: f"{len(heard)} transforms")
+    until(lambda: diagnosed(located, "place") == "located", "it says where")
+    code, said = stop(process)
+    errors, poses = errors_in_map(heard, truth), located.heard["/tilth/pose"]
+    until(lambda: len(poses) >= len(errors), lambda: f"{len(poses)} poses in the map")
+    assert_told_where_known(poses, heard)
+    guesses.unregister()
+    located.close()
+    assert code == 0 and "about where it is said to be" in said and "'elsewhere', expected 'map'" in said
+    assert len(errors) > 14 and max(errors) < 0.05

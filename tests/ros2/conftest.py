@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 import rclpy
 from diagnostic_msgs.msg import DiagnosticArray
+from geometry_msgs.msg import PoseWithCovarianceStamped
 from mcap.reader import make_reader
 from nav_msgs.msg import Odometry, Path as Way
 from rcl_interfaces.srv import ListParameters
@@ -35,6 +36,7 @@ TYPES = {
     "/tilth/map": (PointCloud2, LATCHED),
     "/tf": (TFMessage, RELIABLE),
     "/tf_static": (TFMessage, LATCHED),
+    "/tilth/pose": (PoseWithCovarianceStamped, RELIABLE),
     "/diagnostics": (DiagnosticArray, RELIABLE),
 }
 MOUNT = "0.3,0.1,0.7,2,-3,20"
@@ -192,3 +194,7 @@ def run(recording, tmp_path_factory):
         return odometry_of(out)
 
     return {"": odometry(), MOUNT: odometry("--base-from-lidar", MOUNT)}
+
+
+def diagnosed(peer, key):
+    return {pair.key: pair.value for pair in peer.heard["/diagnostics"][-1].status[0].values}[key]

@@ -3,7 +3,7 @@
 import time
 
 import pytest
-from conftest import LATCHED, MOUNT, Peer, start, stop, until
+from conftest import LATCHED, MOUNT, Peer, diagnosed, start, stop, until
 from geometry_msgs.msg import TransformStamped
 from mount_on_mast import mount_on_mast
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
@@ -11,11 +11,6 @@ from tf2_msgs.msg import TFMessage
 from thinned_messages import NAMES, assert_thinned, is_last, stamp_of
 
 KEEP_ALL = ("reliable:=true", "queue:=500", "map_period:=0.0")
-
-
-def diagnosed(peer, key):
-    values = {pair.key: pair.value for pair in peer.heard["/diagnostics"][-1].status[0].values}
-    return values[key]
 
 
 @pytest.mark.parametrize("rate", [1, 5])

@@ -1,10 +1,22 @@
 """What the node can be asked for: parameters, the map, a new beginning; and what it does where time falls back."""
 
-from conftest import PATIENCE, Peer, drive, start, stop, until
-from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
+import time
+
+import pytest
+from conftest import PATIENCE, Peer, diagnosed, drive, start, stop, until
+from geometry_msgs.msg import PoseWithCovarianceStamped
+from rcl_interfaces.srv import (
+    DescribeParameters,
+    GetParameters,
+    ListParameters,
+    SetParameters,
+    SetParametersAtomically,
+)
 from rclpy.parameter import Parameter
+from rclpy.serialization import deserialize_message
 from rosgraph_msgs.msg import Clock
-from simulated_truth import errors_in_map
+from sensor_msgs.msg import PointCloud2
+from simulated_truth import MapTruth, assert_told_where_known, errors_in_map, fill_guess, seconds
 from std_srvs.srv import Trigger
 
 
@@ -23,15 +35,46 @@ def test_parameters_are_the_options_with_their_bounds(peer):
         assert name in names
     wanted = ["map_voxel", "queue", "loop_closure", "map_frame"]
     values = peer.call(GetParameters, "/tilth/get_parameters", GetParameters.Request(names=wanted)).values
-    assert (values[0].double_value, values[1].double_value, values[2].bool_value) == (0.25, 7.0, True)
+    assert (values[0].double_value, values[1].integer_value, values[2].bool_value) == (0.25, 7, True)
     assert values[3].string_value == "map"
     request = DescribeParameters.Request(names=wanted)
     voxel, queue, *_ = peer.call(DescribeParameters, "/tilth/describe_parameters", request).descriptors
     assert (voxel.floating_point_range[0].from_value, voxel.floating_point_range[0].to_value) == (0.001, 100.0)
-    assert queue.floating_point_range[0].to_value == 1000.0 and "clouds" in queue.description and queue.read_only
-    change = SetParameters.Request(parameters=[Parameter("queue", value=9.0).to_parameter_msg()])
-    (result,) = peer.call(SetParameters, "/tilth/set_parameters", change).results
-    assert not result.successful and "when the node starts" in result.reason
+    assert (queue.integer_range[0].from_value, queue.integer_range[0].to_value) == (1, 1000) and "clouds" in queue.description
+    assert voxel.read_only and not queue.read_only
+    assert stop(process)[0] == 0
+
+
+def test_parameters_are_set_while_it_runs_or_refused(peer, recording):
+    process = start("reliable:=true", "queue:=500", "map_period:=3600.0")
+    scans, maps = peer.heard["/tilth/scan"], peer.heard["/tilth/map"]
+
+    def changed(**values):
+        return [Parameter(name, value=value).to_parameter_msg() for name, value in values.items()]
+
+    def results(**values):
+        request = SetParameters.Request(parameters=changed(**values))
+        return peer.call(SetParameters, "/tilth/set_parameters", request).results
+
+    def value(name):
+        return peer.call(GetParameters, "/tilth/get_parameters", GetParameters.Request(names=[name])).values[0]
+
+    peer.play(recording[1][:20], 0.05)
+    until(lambda: len(scans) >= 20, "scans")
+    published = len(maps)
+    assert all(r.successful for r in results(scan_points=700, map_period=0.0, publish_tf=False, save_map="elsewhere"))
+    peer.play(recording[1][20:40], 0.05)
+    until(lambda: len(scans) >= 40 and len(maps) > published + 5, "more scans, and maps")
+    assert scans[0].width > 700 and scans[-1].width == 700
+    assert len(peer.heard["/tf"]) == 20 and value("save_map").string_value == "elsewhere"
+    few, voxel, unknown, listed = results(scan_points=0, map_voxel=0.5, map_voxle=0.5, queue=[1, 2])
+    assert not any(result.successful for result in (few, voxel, unknown, listed))
+    assert "scan_points" in few.reason and "a value in" in few.reason
+    assert "is read when the node starts" in voxel.reason
+    assert "map_voxle" in unknown.reason and "is no value, or a list" in listed.reason
+    atomic = SetParametersAtomically.Request(parameters=changed(path_poses=10, map_points=0))
+    refused = peer.call(SetParametersAtomically, "/tilth/set_parameters_atomically", atomic).result
+    assert not refused.successful and "map_points" in refused.reason
     assert stop(process)[0] == 0
 
 
@@ -42,7 +85,7 @@ def test_parameters_of_a_file(peer, tmp_path):
     process = start(arguments=["--params-file", str(file)])
     names = ["queue", "loop.keyframe.distance"]
     values = peer.call(GetParameters, "/tilth/get_parameters", GetParameters.Request(names=names)).values
-    assert [value.double_value for value in values] == [11.0, 2.5]
+    assert (values[0].integer_value, values[1].double_value) == (11, 2.5)
     stop(process)
 
 
@@ -94,17 +137,27 @@ def test_a_recording_that_is_played_again_begins_anew(peer, recording):
     assert far(heard[60]) < 0.3, "the world begins at its first scan"
 
 
-def test_it_is_found_in_a_map_that_was_saved(peer, tmp_path):
-    (_, first), (_, second) = drive(tmp_path / "first", 5, 5.0, 15.0), drive(tmp_path / "second", 6, 7.0, 13.0)
-    process = start("reliable:=true", "queue:=500", "loop_closure:=true", f"save_map:={tmp_path}/map")
+@pytest.fixture(scope="module")
+def mapped(tmp_path_factory):
+    """The folder of a map that the node saved, where another drive was in it, and the clouds of that drive."""
+    folder = tmp_path_factory.mktemp("mapped")
+    (_, first), (_, second) = drive(folder / "first", 5, 5.0, 15.0), drive(folder / "second", 6, 7.0, 13.0)
+    process = start("reliable:=true", "queue:=500", "loop_closure:=true", f"save_map:={folder}/map")
+    peer = Peer(name="mapping")
     peer.play(first, 0.05)
     until(lambda: len(peer.heard["/tilth/odometry"]) >= len(first), "all poses")
     saved = peer.call(Trigger, "/tilth/save_map", Trigger.Request())
     assert saved.success, saved.message
     nowhere = peer.call(Trigger, "/tilth/localize", Trigger.Request())
     assert not nowhere.success and "no map" in nowhere.message
+    peer.close()
     stop(process)
-    process = start("reliable:=true", "queue:=500", f"map:={tmp_path}/map/places")
+    return folder / "map", MapTruth(folder / "map", folder / "first", folder / "second"), second
+
+
+def test_it_is_found_in_a_map_that_was_saved(mapped):
+    folder, truth, second = mapped
+    process = start("reliable:=true", "queue:=500", f"map:={folder}/places")
     located = Peer(name="located")
     heard, half = located.heard["/tf"], len(second) // 2
     located.play(second[:half], 0.05)
@@ -113,12 +166,46 @@ def test_it_is_found_in_a_map_that_was_saved(peer, tmp_path):
     assert answer.success and "was located" in answer.message, answer.message
     located.play(second[half:], 0.05)
     until(lambda: len(heard) >= len(second), lambda: f"{len(heard)} transforms")
+    errors, poses = errors_in_map(heard, truth), located.heard["/tilth/pose"]
+    until(lambda: len(poses) >= len(errors), lambda: f"{len(poses)} poses in the map")
     assert stop(process)[0] == 0
     located.close()
     for begins in (0, half):
         assert [t.child_frame_id for t in heard[begins].transforms] == ["lidar"], "nothing is claimed"
-    errors = errors_in_map(heard, tmp_path / "map", tmp_path / "first", tmp_path / "second")
+    assert_told_where_known(poses, heard)
     print(f"{len(errors)} of {len(heard)} poses in the map, {max(errors):.4f} m from the truth at most")
     assert len(errors) > len(heard) / 2 and max(errors) < 0.05
     (whole,) = located.heard["/tilth/map"]
     assert whole.header.frame_id == "map" and whole.width > 1000
+
+
+def test_it_is_searched_for_where_it_is_said_to_be(mapped):
+    folder, truth, second = mapped
+    process = start("reliable:=true", "queue:=500", f"map:={folder}/places")
+    located = Peer(name="guessed")
+    heard, half = located.heard["/tf"], len(second) // 2
+    guesses = located.node.create_publisher(PoseWithCovarianceStamped, "/initialpose", 10)
+    until(lambda: guesses.get_subscription_count() > 0, "the node listens to guesses")
+    located.call(ListParameters, "/tilth/list_parameters", ListParameters.Request())  # by then it knows who guesses
+
+    def guess(cloud, offset, frame="map"):
+        stamp = seconds(deserialize_message(cloud, PointCloud2).header.stamp)
+        guesses.publish(fill_guess(PoseWithCovarianceStamped(), truth(stamp), offset, frame))
+
+    guess(second[0], (0.0, 60.0))
+    guess(second[0], (0.0, 0.0), "elsewhere")
+    located.play(second[:half], 0.05)
+    until(lambda: len(heard) >= half, lambda: f"{len(heard)} transforms")
+    assert not errors_in_map(heard, truth), "it is not where the guess was"
+    guess(second[half], (0.6, -0.4))
+    time.sleep(0.5)
+    located.play(second[half:], 0.05)
+    until(lambda: len(heard) >= len(second), lambda: f"{len(heard)} transforms")
+    until(lambda: diagnosed(located, "place") == "located", "it says so")
+    errors, poses = errors_in_map(heard, truth), located.heard["/tilth/pose"]
+    until(lambda: len(poses) >= len(errors), lambda: f"{len(poses)} poses in the map")
+    code, said = stop(process)
+    located.close()
+    assert_told_where_known(poses, heard)
+    assert code == 0 and "about where it is said to be" in said and "'elsewhere', expected 'map'" in said
+    assert len(errors) > half / 2 and max(errors) < 0.05

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <functional>
 #include <io/temporary_folder.hpp>
-#include <node/driven_clouds.hpp>
+#include <sources/driven_clouds.hpp>
 #include <thread>
 
 #include <gtest/gtest.h>

@@ -43,7 +43,7 @@ class MappingTask final : public NodeTask {
   std::string save_map() override {
     const RunRecord& record = session_.record();
     if (record.trajectory.empty()) throw Error("save_map", "no scan is registered yet");
-    const std::filesystem::path folder = around_.settings.node.save_map;
+    const std::filesystem::path folder = around_.settings.node.running.save_map;
     std::filesystem::create_directories(folder);
     const Trajectory way = way_in_map(record, slam_);
     MapBuilder map = map_of(record, slam_);
@@ -54,7 +54,9 @@ class MappingTask final : public NodeTask {
     return std::to_string(way.size()) + " poses and " + std::to_string(map.size()) + " points in " + folder.string();
   }
 
-  std::string localize() override { throw Error("localize", "there is no map to be found in: it is named by map"); }
+  std::string localize(const std::optional<Pose>&) override {
+    throw Error("localize", "there is no map to be found in: it is named by map");
+  }
 
  private:
   NodeSurroundings around_;

@@ -11,7 +11,7 @@
 
 namespace tilth {
 
-enum class NodeTopic : std::uint8_t { odometry, tf, tf_static, path, scan, map, diagnostics };
+enum class NodeTopic : std::uint8_t { odometry, tf, tf_static, path, scan, map, diagnostics, pose };
 
 struct PublishedTopic {
   NodeTopic topic;

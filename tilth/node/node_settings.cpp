@@ -1,9 +1,11 @@
-#include <iterator>
+#include <set>
 #include <utility>
 
 #include <tilth/core/error.hpp>
+#include <tilth/core/whole_numbers.hpp>
 #include <tilth/node/node_settings.hpp>
 #include <tilth/odometry/make_odometry.hpp>
+#include <tilth/odometry/pipeline_numbers.hpp>
 #include <tilth/run/base_frame.hpp>
 #include <tilth/run/new_record.hpp>
 
@@ -19,8 +21,11 @@ O taken(OptionValues& values) {
   return with<O>(std::move(own));
 }
 
-void append(std::vector<OptionInfo> some, std::vector<OptionInfo>& all) {
-  std::move(some.begin(), some.end(), std::back_inserter(all));
+template <Options O>
+std::set<std::string> keys_of(const O& options) {
+  std::set<std::string> keys;
+  for (OptionInfo& option : describe(options)) keys.insert(std::move(option.key));
+  return keys;
 }
 
 }  // namespace
@@ -53,15 +58,31 @@ RunRecord new_record(const NodeSettings& settings) {
   return record;
 }
 
-std::vector<OptionInfo> node_parameters(const OptionValues& values) {
+std::vector<NodeParameter> node_parameters(const OptionValues& values) {
   const NodeSettings settings = read_settings(values);
-  std::vector<OptionInfo> all = describe(settings.node);
-  append(describe(settings.clouds), all);
-  append(describe(settings.map), all);
-  append(describe_odometry(settings.node.pipeline, settings.pipeline), all);
-  append(describe(settings.slam), all);
-  append(describe(settings.localization), all);
+  std::vector<NodeParameter> all;
+  const std::set<std::string> running = keys_of(NodeRunningOptions{});
+  const auto append = [&](const std::vector<OptionInfo>& some, const std::set<std::string>& whole) {
+    for (const OptionInfo& option : some)
+      all.push_back({option, whole.contains(option.key), running.contains(option.key)});
+  };
+  const auto append_options = [&](const auto& options) { append(describe(options), whole_numbers(options)); };
+  append_options(settings.node);
+  append_options(settings.clouds);
+  append_options(settings.map);
+  append(describe_odometry(settings.node.pipeline, settings.pipeline), whole_numbers_of(settings.node.pipeline));
+  append_options(settings.slam);
+  append_options(settings.localization);
   return all;
+}
+
+NodeRunningOptions set_running(const NodeRunningOptions& options, const OptionValues& values) {
+  const std::set<std::string> keys = keys_of(options);
+  std::string known;
+  for (const std::string& key : keys) known += (known.empty() ? "" : ", ") + key;
+  for (const auto& [key, value] : values)
+    if (!keys.contains(key)) throw Error(key, "is read when the node starts; what may be set later is " + known);
+  return with(values, options);
 }
 
 }  // namespace tilth

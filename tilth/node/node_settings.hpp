@@ -25,6 +25,9 @@ struct NodeSettings {
 /// Throws Error as node_parameters() does.
 NodeSettings read_settings(OptionValues values);
 
+/// `options` with `values` set, which are valid. Throws Error naming a key that is another parameter's.
+NodeRunningOptions set_running(const NodeRunningOptions& options, const OptionValues& values);
+
 inline constexpr const char* kCloudTopic = "topic points";
 
 /// A record of clouds of that topic, without scans.

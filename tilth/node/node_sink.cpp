@@ -1,6 +1,7 @@
 #include <chrono>
 #include <utility>
 
+#include <tilth/messages/pose_estimate.hpp>
 #include <tilth/messages/pose_message.hpp>
 #include <tilth/node/node_sink.hpp>
 #include <tilth/odometry/odometry.hpp>
@@ -26,7 +27,8 @@ std::vector<PublishedTopic> node_topics() {
           {NodeTopic::path, "~/path", "nav_msgs/msg/Path"},
           {NodeTopic::scan, "~/scan", "sensor_msgs/msg/PointCloud2"},
           {NodeTopic::map, "~/map", "sensor_msgs/msg/PointCloud2", true},
-          {NodeTopic::diagnostics, "/diagnostics", "diagnostic_msgs/msg/DiagnosticArray"}};
+          {NodeTopic::diagnostics, "/diagnostics", "diagnostic_msgs/msg/DiagnosticArray"},
+          {NodeTopic::pose, "~/pose", "geometry_msgs/msg/PoseWithCovarianceStamped"}};
 }
 
 Trajectory way_in_map(const RunRecord& record, const Slam* slam) {
@@ -49,15 +51,18 @@ NodeSink::NodeSink(const NodeSurroundings& around, const Slam* slam, std::string
 
 void NodeSink::take(const Scan& scan, const OdometryResult& result, const RunRecord& record) {
   const NodeOptions& node = around_.settings.node;
+  const NodeRunningOptions& running = node.running;
   stamp_ = result.stamp;
   T_odom_lidar_ = result.T_world_lidar;
   send_odometry(result);
   if (node.publish_mount && !std::exchange(mount_sent_, true)) send_mount(result.stamp);
-  if (node.publish_tf) send_tf(result.stamp, T_map_odom(record));
+  if (running.publish_tf) send_tf(result.stamp, T_map_odom(record));
+  send_place(record);
   send_diagnostics(record);
   if (!result.filtered.empty() && around_.outlet.wanted(NodeTopic::scan))
-    around_.outlet.publish(NodeTopic::scan, scan_message(scan, result, node.scan_points, lidar_frame_, serialization_));
-  if (!sent_whole_ || since_whole_.seconds() >= node.map_period) send_path_and_map(record);
+    around_.outlet.publish(NodeTopic::scan,
+                           scan_message(scan, result, running.scan_points, lidar_frame_, serialization_));
+  if (!sent_whole_ || since_whole_.seconds() >= running.map_period) send_path_and_map(record);
 }
 
 /// Nothing where the place in a saved map is not known.
@@ -92,6 +97,16 @@ void NodeSink::send_tf(double stamp, const std::optional<Pose>& T_map_odom) {
   around_.outlet.publish(NodeTopic::tf, serialize_tf(transforms, serialization_));
 }
 
+/// In a saved map, where it is known.
+void NodeSink::send_place(const RunRecord& record) {
+  if (!record.localization || !record.localization->rows.back().T_map_lidar) return;
+  const LocalizationRow& row = record.localization->rows.back();
+  const std::optional<Pose>& mount = around_.settings.T_base_lidar;
+  around_.outlet.publish(NodeTopic::pose, serialize_pose_estimate({row.stamp, pose_of_base(*row.T_map_lidar, mount)},
+                                                                  covariance_of_base(row.covariance, mount),
+                                                                  around_.settings.node.map_frame, serialization_));
+}
+
 void NodeSink::send_diagnostics(const RunRecord& record) {
   const InboxCounts counts = around_.inbox.counts();
   Diagnostic track = record.localization ? place_diagnostic(record.localization->rows.back())
@@ -116,7 +131,7 @@ void NodeSink::send_diagnostics(const RunRecord& record) {
 void NodeSink::send_path_and_map(const RunRecord& record) {
   const NodeOptions& node = around_.settings.node;
   if (around_.outlet.wanted(NodeTopic::path)) {
-    const Trajectory way = thinned(way_in_map(record, slam_), node.path_poses);
+    const Trajectory way = thinned(way_in_map(record, slam_), node.running.path_poses);
     around_.outlet.publish(NodeTopic::path, serialize_path(poses_of_base(way, record.T_base_lidar),
                                                            {node.map_frame, body_frame_}, serialization_));
   }
@@ -128,7 +143,7 @@ void NodeSink::send_path_and_map(const RunRecord& record) {
 /// A map that was corrected is moved in the background, from a copy, unless the last one is still on its way.
 void NodeSink::send_map(const RunRecord& record) {
   const NodeOptions& node = around_.settings.node;
-  const auto send = [outlet = &around_.outlet, most = std::size_t(node.map_points), frame = node.map_frame,
+  const auto send = [outlet = &around_.outlet, most = std::size_t(node.running.map_points), frame = node.map_frame,
                      stamp = stamp_, serialization = serialization_](const MapBuilder& map) {
     outlet->publish(NodeTopic::map, map_message(stamp, map.thinned_records(most), frame, serialization));
   };

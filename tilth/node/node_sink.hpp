@@ -30,6 +30,7 @@ class NodeSink final : public Sink {
   void send_odometry(const OdometryResult& result);
   void send_mount(double stamp);
   void send_tf(double stamp, const std::optional<Pose>& T_map_odom);
+  void send_place(const RunRecord& record);
   void send_diagnostics(const RunRecord& record);
   void send_path_and_map(const RunRecord& record);
   void send_map(const RunRecord& record);

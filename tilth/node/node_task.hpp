@@ -2,8 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
+#include <tilth/core/se3.hpp>
 #include <tilth/localization/place_map.hpp>
 #include <tilth/node/node_outlet.hpp>
 #include <tilth/node/node_settings.hpp>
@@ -26,9 +28,9 @@ class NodeTask {
   /// Takes scans until there are no more. Throws Error where it cannot go on.
   virtual void run() = 0;
 
-  /// As those of SlamNode. Only while run() waits for a scan.
+  /// As those of SlamNode, with where the robot is said to be. Only while run() waits for a scan.
   virtual std::string save_map() = 0;
-  virtual std::string localize() = 0;
+  virtual std::string localize(const std::optional<Pose>& T_map_body) = 0;
 };
 
 /// `source` has the scans of `lidar_frame`.

@@ -20,14 +20,15 @@ double parsed(const OptionInfo& option, const std::string& text) {
 
 }  // namespace
 
-ParameterType type_of(const OptionInfo& option) {
-  if (option.allowed == "true | false") return ParameterType::flag;
-  return option.allowed.find(kTo) != std::string::npos ? ParameterType::number : ParameterType::text;
+ParameterType type_of(const NodeParameter& parameter) {
+  if (parameter.allowed == "true | false") return ParameterType::flag;
+  if (parameter.allowed.find(kTo) == std::string::npos) return ParameterType::text;
+  return parameter.whole ? ParameterType::integer : ParameterType::number;
 }
 
 Bounds bounds_of(const OptionInfo& option) {
-  if (type_of(option) != ParameterType::number) throw Error(option.key, "has no bounds: " + option.allowed);
   const std::size_t to = option.allowed.find(kTo);
+  if (to == std::string::npos) throw Error(option.key, "has no bounds: " + option.allowed);
   return {parsed(option, option.allowed.substr(0, to)), parsed(option, option.allowed.substr(to + kTo.size()))};
 }
 

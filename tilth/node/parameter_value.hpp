@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <string>
 
-#include <tilth/core/options.hpp>
+#include <tilth/node/node_options.hpp>
 
 namespace tilth {
 
-enum class ParameterType : std::uint8_t { flag, number, text };
-ParameterType type_of(const OptionInfo& option);
+enum class ParameterType : std::uint8_t { flag, integer, number, text };
+ParameterType type_of(const NodeParameter& parameter);
 
 /// Of a number. Throws Error, naming the key, where the option is none.
 Bounds bounds_of(const OptionInfo& option);

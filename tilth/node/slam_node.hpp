@@ -14,10 +14,12 @@
 #include <string>
 #include <vector>
 
-#include <tilth/core/options.hpp>
+#include <tilth/node/node_options.hpp>
 #include <tilth/node/node_outlet.hpp>
 
 namespace tilth {
+
+class NodeWork;
 
 class SlamNode {
  public:
@@ -36,6 +38,11 @@ class SlamNode {
   /// A tf2_msgs/TFMessage of /tf_static, written as clouds are: with `mount_from_tf` it tells how the LiDAR is mounted.
   /// What cannot be read is left out, and said.
   void take_static_transforms(std::span<const std::byte> message);
+
+  /// A geometry_msgs/PoseWithCovarianceStamped in `map_frame`, written likewise: about where the robot is in the saved
+  /// `map`. Its place is searched for anew, within `localize.at_radius` of that; its covariance is not looked at. What
+  /// is in another frame, cannot be read or has no map to be found in is left out, and said.
+  void take_guess(std::span<const std::byte> message);
 
   /// So many clouds were lost before the next one, says the middleware.
   void lose(std::size_t count);
@@ -60,9 +67,14 @@ class SlamNode {
   static constexpr std::array<const char*, 3> kServices{"save_map", "localize", "reset"};
   Answer serve(const std::string& name);
 
+  /// All parameters, as they are by now.
+  std::vector<NodeParameter> parameters();
+
+  /// Sets those that may be set while it runs (NodeRunningOptions): all of `values`, or none and why.
+  Answer set(const OptionValues& values);
+
  private:
-  class Work;
-  std::unique_ptr<Work> work_;
+  std::unique_ptr<NodeWork> work_;
 };
 
 }  // namespace tilth

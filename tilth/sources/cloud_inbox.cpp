@@ -50,12 +50,17 @@ void CloudInbox::push(Message message) {
   const std::lock_guard lock(mutex_);
   if (ended_) return;
   ++counts_.received;
-  if (waiting_.size() >= depth_) {
+  while (waiting_.size() >= depth_) {
     waiting_.pop_front();
     ++counts_.dropped;
   }
   waiting_.push_back(std::move(message));
   changed_.notify_one();
+}
+
+void CloudInbox::limit(std::size_t depth) {
+  const std::lock_guard lock(mutex_);
+  depth_ = depth;
 }
 
 void CloudInbox::lose(std::size_t count) {

@@ -31,6 +31,8 @@ class CloudInbox {
   /// At most `depth` messages wait; then the oldest makes way.
   explicit CloudInbox(std::size_t depth) : depth_(depth) {}
 
+  void limit(std::size_t depth);  ///< from the next message on
+
   void push(Message message);
 
   /// The middleware says that so many were lost on the way.
@@ -46,9 +48,9 @@ class CloudInbox {
   InboxCounts counts() const;
 
  private:
-  std::size_t depth_;
   mutable std::mutex mutex_;  // of all below
   std::condition_variable changed_;
+  std::size_t depth_;
   std::deque<Message> waiting_;
   InboxCounts counts_;
   bool ended_ = false;
