@@ -34,6 +34,7 @@ void add_localize(CLI::App& app, int& exit_code) {
   command->add_option("--out", a->run.out, "folder for the results; made where missing")->required();
   add_at_flag(*command, *a);
   command->add_option("--restart-every", a->restart_every, "forget the place after so many scans, and find it anew");
+  command->add_flag("--restart-when-found", a->restart_when_found, "the same as soon as it is found");
   add_source_flags(*command, *input);
   add_beams_flag(*command, a->run);
   add_base_flag(*command, a->run);

@@ -122,7 +122,7 @@ LocalizeSession::End LocalizeSession::run(std::unique_ptr<ScanSource> source, Ru
   Localizer localizer(
       plan_->map, [&] { return make_odometry(choice.name, choice.values); }, plan_->options,
       guess_of(arguments_.at, record.T_base_lidar));
-  LocalizationRunOptions how{a.session, arguments_.restart_every, while_it_goes_on};
+  LocalizationRunOptions how{a.session, arguments_.restart_every, arguments_.restart_when_found, while_it_goes_on};
   how.session.interrupted = [] { return interrupted() != 0; };
   const RunEnd end = with_threads(a.threads, [&] { return localize(*source, localizer, how, observer, record); });
   if (!a.view) show_map(plan_->map, record);

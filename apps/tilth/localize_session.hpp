@@ -16,6 +16,7 @@ struct LocalizeArguments {
   std::string map;         ///< its folder
   std::vector<double> at;  ///< x, y, z [m], yaw [deg]; empty: not known
   std::size_t restart_every = 0;
+  bool restart_when_found = false;
 };
 
 /// Adds --at.

@@ -62,6 +62,21 @@ TEST_F(LocalizeCommand, FindsAnotherDriveInTheMap) {
   EXPECT_GT(std::filesystem::file_size(out / "report.html"), 1000U);
 }
 
+TEST_F(LocalizeCommand, BeginsAnewWhenItIsFound) {
+  const std::filesystem::path out = *folder_ / "starts";
+  tilth({"localize", kDriven, "--map", map(), "--out", out.string(), "--max-scans", "50", "--restart-when-found"});
+  std::ifstream table(out / "localization.csv");
+  std::size_t located = 0, begun = 0;
+  for (std::string line; std::getline(table, line);) {
+    const bool is_located = line.find(",located,") != std::string::npos;
+    EXPECT_FALSE(is_located && line.find(",located,1,") != std::string::npos) << "from one scan: " << line;
+    located += is_located, begun += line.find("ing,1,") != std::string::npos;
+  }
+  EXPECT_GE(located, 2U);
+  EXPECT_GE(begun, located);
+  EXPECT_LE(begun, located + 1);
+}
+
 TEST_F(LocalizeCommand, TellsWhereTheBaseIs) {
   const auto localized = [&](const std::string& name, std::vector<std::string> more) {
     const std::string out = (*folder_ / name).string();
@@ -152,9 +167,19 @@ TEST_F(LocalizeCommand, MakesAMapOfACloud) {
   const Outcome made = tilth({"map", "import", cloud, "--out", imported});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_EQ(tilth({"map", "info", imported}).exit_code, 0);
+  const std::string survey = (*folder_ / "survey.las").string(), other = (*folder_ / "of_survey").string();
+  ASSERT_EQ(tilth({"map", "export", map(), survey, "--map-voxel", "0.05"}).exit_code, 0);
+  const Outcome of_survey = tilth({"map", "import", survey, "--out", other});
+  ASSERT_EQ(of_survey.exit_code, 0) << of_survey.err;
+  EXPECT_NEAR(std::stod(of_survey.out), std::stod(made.out), 0.05 * std::stod(made.out)) << "places";
+  const std::string utm = "32N,400123,5600300,50";
+  ASSERT_EQ(tilth({"map", "export", map(), survey, "--map-voxel", "0.05", "--origin", utm}).exit_code, 0);
+  const Outcome in_utm = tilth({"map", "import", survey, "--out", other});
+  ASSERT_EQ(in_utm.exit_code, 0) << in_utm.err;
+  EXPECT_NE(tilth({"map", "info", other}).out.find("survey.las, less 400000 5600000 0 m"), std::string::npos);
   const Outcome wrong = tilth({"map", "import", (*folder_ / "cloud.csv").string(), "--out", imported});
   EXPECT_EQ(wrong.exit_code, 1);
-  EXPECT_NE(wrong.err.find(".pcd or .ply"), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find(".pcd, .ply or .las"), std::string::npos) << wrong.err;
 }
 
 /// Scans `from` to `to` of a folder of scans with times, as a folder of its own.

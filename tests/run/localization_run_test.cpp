@@ -22,7 +22,7 @@ class LocalizationRun : public testing::Test {
     Localizer localizer(
         *map_, [] { return std::make_unique<MetreAScan>(); }, {}, std::nullopt);
     RunObserver nobody;
-    return localize(scans, localizer, {options, 0}, nobody, record);
+    return localize(scans, localizer, {options}, nobody, record);
   }
 
   RunRecord record;

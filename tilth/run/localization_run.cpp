@@ -48,6 +48,8 @@ class LocalizationLoop {
     for (const std::unique_ptr<Sink>& sink : sinks_) sink->take(scan, located.odometry, record_);
   }
 
+  bool is_found() const { return !begins_ && is_known(state_); }
+
  private:
   void tell(const LocatedScan& located) {
     if (located.state == state_ && !begins_) return;
@@ -99,7 +101,8 @@ std::optional<Scan> next_scan(ScanSource& source, std::size_t number, RunObserve
 RunEnd run_through(ScanSource& source, const LocalizationRunOptions& options, LocalizationLoop& loop,
                    RunObserver& observer, RunRecord& record) {
   const SessionOptions& session = options.session;
-  for (std::size_t read = 0; session.max_scans == 0 || read < session.max_scans; ++read) {
+  std::size_t since = 0;  // the last restart
+  for (std::size_t read = 0; session.max_scans == 0 || read < session.max_scans; ++read, ++since) {
     if (session.interrupted && session.interrupted()) return RunEnd::interrupted;
     const Stopwatch reading;
     bool broken = false;
@@ -107,7 +110,10 @@ RunEnd run_through(ScanSource& source, const LocalizationRunOptions& options, Lo
     if (session.strict && !source.skipped().empty()) return RunEnd::bad_record;
     if (!scan) return broken ? RunEnd::input_broken : RunEnd::end_of_input;
     if (read == 0) record.decisions = source.decisions();
-    if (options.restart_every > 0 && read > 0 && read % options.restart_every == 0) loop.forget();
+    if ((since > 0 && since == options.restart_every) || (options.restart_when_found && loop.is_found())) {
+      loop.forget();
+      since = 0;
+    }
     try {
       loop.add(*scan, reading.milliseconds());
     } catch (const UnusableScan& e) {

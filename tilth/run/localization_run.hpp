@@ -15,7 +15,8 @@ namespace tilth {
 
 struct LocalizationRunOptions {
   SessionOptions session;
-  std::size_t restart_every = 0;  ///< [scans] after which all is forgotten, and found anew; 0: never
+  std::size_t restart_every = 0;    ///< [scans] after which all is forgotten, and found anew; 0: never
+  bool restart_when_found = false;  ///< the same after every scan whose place is known
   std::span<const std::unique_ptr<Sink>> sinks = {};  ///< take every scan, whether its place is known or not
 };
 
