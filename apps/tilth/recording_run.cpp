@@ -82,24 +82,32 @@ RunEnd RecordingRun::first_pass() {
   return run_session(*session_, run);
 }
 
-void RecordingRun::begin_anew() {
-  const RunRecord& first = session_->record();
-  observer_.note("beams: " + beams_sentence(*first.beams) + "; begun anew without them (--keep-beams: not)");
-  arguments_.run.found_beams = first.beams->beams;
-  const double spent = first.wall_seconds;
+void RecordingRun::begin_anew(std::optional<BeamEstimate> found) {
+  const double spent = session_->record().wall_seconds;
+  arguments_.run.found_beams = std::move(found);
   session_.reset();
   begin();
   session_->record().wall_seconds = spent;
 }
 
+RunEnd RecordingRun::run_passes() {
+  const RunEnd end = first_pass();
+  const std::optional<BeamCalibration> found = session_->record().beams;
+  if (end == RunEnd::interrupted || end == RunEnd::bad_record || !shows_errors(found)) return end;
+  observer_.note("beams: " + beams_sentence(*found) + "; begun anew without them (--keep-beams: not)");
+  begin_anew(found->beams);
+  const RunEnd second = run_session(*session_, arguments_.run);
+  const std::optional<BeamCalibration>& left = session_->record().beams;
+  const bool whole = second != RunEnd::input_broken || end == RunEnd::input_broken;
+  if (second == RunEnd::interrupted || (whole && left && left->before.thickness < found->before.thickness))
+    return second;
+  observer_.warn("beams: without those errors the run is no better; begun anew with the beams as they are");
+  begin_anew(std::nullopt);
+  return run_session(*session_, arguments_.run);
+}
+
 RunOutcome RecordingRun::run() {
-  const bool anew = may_begin_anew();
-  RunOutcome outcome{.end = anew ? first_pass() : run_session(*session_, arguments_.run), .files = files_};
-  const bool over = outcome.end == RunEnd::interrupted || outcome.end == RunEnd::bad_record;
-  if (anew && !over && shows_errors(session_->record().beams)) {
-    begin_anew();
-    outcome.end = run_session(*session_, arguments_.run);
-  }
+  RunOutcome outcome{.end = may_begin_anew() ? run_passes() : run_session(*session_, arguments_.run), .files = files_};
   RunRecord& record = session_->record();
   if (outcome.end != RunEnd::interrupted) require_scans(record);
   if (truth_) outcome.failures = judge_by(*truth_, record);

@@ -43,7 +43,8 @@ class RecordingRun {
   bool may_begin_anew() const;
   bool shows_errors(const std::optional<BeamCalibration>& found) const;
   RunEnd first_pass();
-  void begin_anew();
+  RunEnd run_passes();
+  void begin_anew(std::optional<BeamEstimate> found);
 
   RecordingArguments arguments_;
   RunObserver& observer_;

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "program.hpp"
+#include "worn_drive.hpp"
 #include <tilth/core/trajectory.hpp>
 #include <tilth/evaluation/evaluate.hpp>
 #include <tilth/io/beam_file.hpp>
@@ -16,41 +16,7 @@ namespace {
 
 const std::string kSmallWindows = "calibration.window=15";
 
-class Calibrate : public testing::Test {
- protected:
-  std::string in(const std::string& name) const { return (folder_ / name).string(); }
-
-  void simulate(const std::string& beams) const {
-    ASSERT_EQ(tilth({"simulate", "corridor_fast", "--duration", "30", "--beams", beams, "--set", "columns=900", "--out",
-                     in("drive"), "--quiet"})
-                  .exit_code,
-              0);
-  }
-
-  /// In one pass, unless it is told how beams are to be taken.
-  Trajectory run(const std::string& out, const std::vector<std::string>& more = {"--keep-beams"}) const {
-    std::vector<std::string> arguments{"run", in("drive"), "--out", in(out)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Outcome outcome = tilth(arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return read_tum(folder_ / out / "trajectory.tum");
-  }
-
-  double ape(const Trajectory& estimate) const {
-    EvaluationOptions options;
-    options.align = Alignment::se3, options.association.interpolate = true;
-    return evaluate(read_tum(folder_ / "drive" / "truth.tum"), estimate, options).ape.translation.rmse;
-  }
-
-  void expect_refused(const Outcome& outcome, const std::vector<std::string>& words, int exit_code = 1) const {
-    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
-    for (const std::string& word : words)
-      EXPECT_NE(outcome.err.find(word), std::string::npos) << word << ": " << outcome.err;
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "beams.yaml"));
-  }
-
-  TemporaryFolder folder_;
-};
+class Calibrate : public WornDrive {};
 
 TEST_F(Calibrate, FindsTheErrorsOfWornBeamsAndRunsAreBetterWithoutThem) {
   simulate("worn");
@@ -69,28 +35,6 @@ TEST_F(Calibrate, FindsTheErrorsOfWornBeamsAndRunsAreBetterWithoutThem) {
   const std::string summary = text_of(folder_ / "after" / "summary.json");
   EXPECT_NE(summary.find("beams: corrected by " + in("beams.yaml") + " (ranges up to 2"), std::string::npos) << summary;
   EXPECT_NE(summary.find("\"source.beams\": \"" + in("beams.yaml")), std::string::npos);
-}
-
-TEST_F(Calibrate, ARunBeginsAnewWithoutTheErrorsThatItsDriveShows) {
-  simulate("worn");
-  const double kept = ape(run("kept"));
-  const Outcome outcome = tilth({"run", in("drive"), "--out", in("anew")});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("begun anew without them"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("beams: corrected by what a first pass found (ranges up to "), std::string::npos);
-  EXPECT_LT(ape(read_tum(folder_ / "anew" / "trajectory.tum")), 0.6 * kept) << kept;
-  const Outcome next = tilth({"run", in("drive"), "--out", in("next"), "--beams", in("anew") + "/beams.yaml"});
-  EXPECT_EQ(next.exit_code, 0) << next.err;
-  EXPECT_EQ(next.out.find("begun anew"), std::string::npos) << next.out;
-}
-
-TEST_F(Calibrate, ARunOfIdealBeamsIsOnePass) {
-  simulate("ideal");
-  const Outcome outcome = tilth({"run", in("drive"), "--out", in("one")});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(outcome.out.find("begun anew"), std::string::npos) << outcome.out;
-  run("kept");
-  EXPECT_EQ(text_of(folder_ / "one" / "trajectory.tum"), text_of(folder_ / "kept" / "trajectory.tum"));
 }
 
 // Of only five windows chance passes two deviations now and then: hence the higher bar.
