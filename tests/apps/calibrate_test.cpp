@@ -6,10 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "worn_drive.hpp"
-#include <tilth/core/trajectory.hpp>
-#include <tilth/evaluation/evaluate.hpp>
 #include <tilth/io/beam_file.hpp>
-#include <tilth/io/trajectory_file.hpp>
 
 namespace tilth::app {
 namespace {
