@@ -1,7 +1,6 @@
 // Lets scripts see files through Tilth's readers and writers:
-//   format_probe dump FILE        fields, then one line of numbers a point (.pcd .ply .las .bin), or the messages of a bag
-//   format_probe copy FILE FILE   reads one point file or bag, writes another (bags: lz4 where the name has "lz4" in
-//   it)
+//   format_probe dump FILE        fields, then numbers, a line a point (.pcd .ply .las .bin), or the messages of a bag
+//   format_probe copy FILE FILE   reads one point file or bag, writes another (lz4 where a bag's name has "lz4" in it)
 #include <cstdio>
 #include <filesystem>
 #include <iostream>

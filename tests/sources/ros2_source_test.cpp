@@ -1,5 +1,6 @@
 // Clouds that a library hands over become scans, with the bits of a recording; what is lost, silent or wrong is said.
 #include <algorithm>
+#include <atomic>
 #include <clocale>
 #include <cstdlib>
 #include <dlfcn.h>
@@ -43,14 +44,24 @@ int next_cloud(TilthRos2Topic* topic, int milliseconds, TilthRos2Cloud* cloud) {
   return 0;
 }
 
-const TilthRos2Library kLibrary{[](const char*, bool, std::size_t) { return new TilthRos2Topic(prepared()); },
-                                next_cloud, [](TilthRos2Topic* topic) { return topic->text.c_str(); },
+std::atomic<int> opened = 0;
+
+TilthRos2Topic* open_prepared(const char*, bool, std::size_t) {
+  auto* const topic = new TilthRos2Topic(prepared());
+  ++opened;
+  return topic;
+}
+
+const TilthRos2Library kLibrary{open_prepared, next_cloud, [](TilthRos2Topic* topic) { return topic->text.c_str(); },
                                 [](TilthRos2Topic* topic) { delete topic; }};
 
 std::unique_ptr<Ros2Topic> topic_with(const TilthRos2Topic& content,
                                       const std::string& options = "queue=100&idle=0.3") {
   prepared() = content;
-  return std::make_unique<Ros2Topic>(kLibrary, parse_ros2_uri("ros2:/points?" + options, {}), nullptr);
+  const int before = opened;
+  auto topic = std::make_unique<Ros2Topic>(kLibrary, parse_ros2_uri("ros2:/points?" + options, {}), nullptr);
+  while (opened == before) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // by the topic's own thread
+  return topic;
 }
 
 const std::vector<Message>& clouds() {
@@ -126,6 +137,7 @@ TEST(Ros2Source, SaysWhyNothingCame) {
 TEST(Ros2Topic, TellsWhetherItBegan) {
   const auto silent = topic_with({}, "idle=30"), begun = topic_with({clouds()});
   EXPECT_FALSE(silent->wait_for_first(std::chrono::milliseconds(50)));
+  while (silent->situation().empty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   EXPECT_EQ(silent->situation(), "nobody sends it");
   EXPECT_TRUE(begun->wait_for_first(std::chrono::seconds(60)));
 }
