@@ -42,6 +42,7 @@ struct OptionInfo {
   std::string key, value, unit, meaning;
   std::string allowed;    ///< "3 .. 64", "true | false" or the names of an enum
   bool advanced = false;  ///< kAdvanced
+  bool whole = false;     ///< a number without fraction
 };
 
 namespace options_detail {
@@ -154,7 +155,7 @@ struct Writer {
     const std::size_t close = doc.find(']');
     rows.push_back({prefix + std::string(name), to_text(field), std::string(doc.substr(1, close - 1)),
                     std::string(doc.substr(std::min(close + 2, doc.size()))), allowed<T>(bounds),
-                    std::max(audience, own) == kAdvanced});
+                    std::max(audience, own) == kAdvanced, std::integral<T> && !std::same_as<T, bool>});
   }
   template <class T>
   void operator()(std::string_view name, T& field, std::string_view doc, Audience own = {}) const {

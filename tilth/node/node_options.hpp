@@ -67,7 +67,6 @@ void visit(NodeOptions& o, V&& v) {
 }
 
 struct NodeParameter : OptionInfo {
-  bool whole = false;    ///< a number without fraction
   bool running = false;  ///< may be set while the node runs
 };
 

@@ -2,10 +2,8 @@
 #include <utility>
 
 #include <tilth/core/error.hpp>
-#include <tilth/core/whole_numbers.hpp>
 #include <tilth/node/node_settings.hpp>
 #include <tilth/odometry/make_odometry.hpp>
-#include <tilth/odometry/pipeline_numbers.hpp>
 #include <tilth/run/base_frame.hpp>
 #include <tilth/run/new_record.hpp>
 
@@ -62,17 +60,15 @@ std::vector<NodeParameter> node_parameters(const OptionValues& values) {
   const NodeSettings settings = read_settings(values);
   std::vector<NodeParameter> all;
   const std::set<std::string> running = keys_of(NodeRunningOptions{});
-  const auto append = [&](const std::vector<OptionInfo>& some, const std::set<std::string>& whole) {
-    for (const OptionInfo& option : some)
-      all.push_back({option, whole.contains(option.key), running.contains(option.key)});
+  const auto append = [&](const std::vector<OptionInfo>& some) {
+    for (const OptionInfo& option : some) all.push_back({option, running.contains(option.key)});
   };
-  const auto append_options = [&](const auto& options) { append(describe(options), whole_numbers(options)); };
-  append_options(settings.node);
-  append_options(settings.clouds);
-  append_options(settings.map);
-  append(describe_odometry(settings.node.pipeline, settings.pipeline), whole_numbers_of(settings.node.pipeline));
-  append_options(settings.slam);
-  append_options(settings.localization);
+  append(describe(settings.node));
+  append(describe(settings.clouds));
+  append(describe(settings.map));
+  append(describe_odometry(settings.node.pipeline, settings.pipeline));
+  append(describe(settings.slam));
+  append(describe(settings.localization));
   return all;
 }
 

@@ -1,6 +1,5 @@
 #include <functional>
 
-#include <tilth/core/whole_numbers.hpp>
 #include <tilth/odometry/floam.hpp>
 #include <tilth/odometry/fu2026.hpp>
 #include <tilth/odometry/improved_floam.hpp>
@@ -9,7 +8,6 @@
 #include <tilth/odometry/lio_sam.hpp>
 #include <tilth/odometry/make_odometry.hpp>
 #include <tilth/odometry/mounted_odometry.hpp>
-#include <tilth/odometry/pipeline_numbers.hpp>
 #include <tilth/odometry/tilth_odometry.hpp>
 
 namespace tilth {
@@ -19,7 +17,6 @@ struct PipelineMaker {
   PipelineInfo info;
   std::function<std::unique_ptr<Odometry>(const OptionValues&, const std::shared_ptr<const ExternalMotion>&)> make;
   std::function<std::vector<OptionInfo>(const OptionValues&)> describe;
-  std::function<std::set<std::string>()> whole_numbers;
 };
 
 template <class P, class O>
@@ -40,8 +37,7 @@ PipelineMaker pipeline(const std::string& name, const std::string& summary) {
           [name](const OptionValues& values, const std::shared_ptr<const ExternalMotion>& external) {
             return made<P>(name, with<O>(values), external);
           },
-          [](const OptionValues& values) { return describe(with<O>(values)); },
-          [] { return whole_numbers<O>(); }};
+          [](const OptionValues& values) { return describe(with<O>(values)); }};
 }
 
 const std::vector<PipelineMaker>& all() {
@@ -82,10 +78,6 @@ std::unique_ptr<Odometry> make_odometry(const std::string& name, const OptionVal
 
 std::vector<OptionInfo> describe_odometry(const std::string& name, const OptionValues& values) {
   return find(name).describe(values);
-}
-
-std::set<std::string> whole_numbers_of(const std::string& pipeline) {
-  return find(pipeline).whole_numbers();
 }
 
 }  // namespace tilth
