@@ -4,7 +4,6 @@ import os
 import signal
 import socket
 import subprocess
-import time
 from collections import defaultdict
 from pathlib import Path
 
@@ -14,6 +13,7 @@ import rosgraph
 import rospy
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseWithCovarianceStamped
+from listening import PATIENCE, until
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 from nav_msgs.msg import Odometry, Path as Way
@@ -22,7 +22,6 @@ from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
 PROGRAM, NODE = os.environ["TILTH_PROGRAM"], os.environ["TILTH_ROS1_NODE"]
-PATIENCE = 60.0  # [s]
 RUNNING = []  # programs of this test
 TYPES = {
     "/tilth/odometry": Odometry,
@@ -36,14 +35,6 @@ TYPES = {
 }
 MOUNT = "0.3,0.1,0.7,2,-3,20"
 KEEP_ALL = {"queue": 500, "map_period": 0.0}
-
-
-def until(condition, what):
-    """Waits for it; `what` says for what, and how far it is."""
-    end = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < end, f"waited {PATIENCE} s in vain: {what() if callable(what) else what}"
-        time.sleep(0.02)
 
 
 class Peer:
@@ -178,7 +169,3 @@ def pose_numbers(pose):
 def transform_numbers(transform):
     p, q = transform.translation, transform.rotation
     return p.x, p.y, p.z, q.x, q.y, q.z, q.w
-
-
-def diagnosed(peer, key):
-    return {pair.key: pair.value for pair in peer.heard["/diagnostics"][-1].status[0].values}[key]

@@ -5,8 +5,9 @@ import subprocess
 import pytest
 import rosgraph
 import rospy
-from conftest import KEEP_ALL, MOUNT, Peer, diagnosed, launch, play, pose_numbers, start, stop, transform_numbers, until
+from conftest import KEEP_ALL, MOUNT, Peer, launch, play, pose_numbers, start, stop, transform_numbers
 from geometry_msgs.msg import TransformStamped
+from listening import diagnosed, until
 from mount_on_mast import mount_on_mast
 from tf2_msgs.msg import TFMessage
 from thinned_messages import NAMES, assert_thinned, is_last, stamp_of

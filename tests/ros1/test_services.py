@@ -5,8 +5,9 @@ import time
 import numpy as np
 import pytest
 import rospy
-from conftest import KEEP_ALL, PATIENCE, Peer, call, diagnosed, drive, play, start, stop, until
+from conftest import KEEP_ALL, Peer, call, drive, play, start, stop
 from geometry_msgs.msg import PoseWithCovarianceStamped
+from listening import PATIENCE, diagnosed, until
 from simulated_truth import MapTruth, assert_told_where_known, errors_in_map, fill_guess
 
 

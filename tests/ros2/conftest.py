@@ -12,6 +12,7 @@ import pytest
 import rclpy
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseWithCovarianceStamped
+from listening import PATIENCE, until
 from mcap.reader import make_reader
 from nav_msgs.msg import Odometry, Path as Way
 from rcl_interfaces.srv import ListParameters
@@ -25,7 +26,6 @@ from sensor_msgs.msg import PointCloud2, PointField
 from tf2_msgs.msg import TFMessage
 
 PROGRAM, NODE = os.environ["TILTH_PROGRAM"], os.environ["TILTH_ROS2_NODE"]
-PATIENCE = 60.0  # [s]
 RUNNING = []  # programs of this test
 RELIABLE = QoSProfile(depth=500, reliability=ReliabilityPolicy.RELIABLE)
 LATCHED = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -40,14 +40,6 @@ TYPES = {
     "/diagnostics": (DiagnosticArray, RELIABLE),
 }
 MOUNT = "0.3,0.1,0.7,2,-3,20"
-
-
-def until(condition, what):
-    """Waits for it; `what` says for what, and how far it is."""
-    end = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < end, f"waited {PATIENCE} s in vain: {what() if callable(what) else what}"
-        time.sleep(0.02)
 
 
 class Peer:
@@ -194,7 +186,3 @@ def run(recording, tmp_path_factory):
         return odometry_of(out)
 
     return {"": odometry(), MOUNT: odometry("--base-from-lidar", MOUNT)}
-
-
-def diagnosed(peer, key):
-    return {pair.key: pair.value for pair in peer.heard["/diagnostics"][-1].status[0].values}[key]

@@ -3,7 +3,8 @@
 import os
 import subprocess
 
-from conftest import PATIENCE, PROGRAM, NODE, launch, odometry_of, stop, until
+from conftest import PROGRAM, NODE, launch, odometry_of, stop
+from listening import PATIENCE, until
 from tf2_msgs.msg import TFMessage
 
 LIBRARY = os.path.join(os.path.dirname(NODE), "libtilth_ros2.so")

@@ -3,8 +3,9 @@
 import time
 
 import pytest
-from conftest import LATCHED, MOUNT, Peer, diagnosed, start, stop, until
+from conftest import LATCHED, MOUNT, Peer, start, stop
 from geometry_msgs.msg import TransformStamped
+from listening import diagnosed, until
 from mount_on_mast import mount_on_mast
 from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 from tf2_msgs.msg import TFMessage

@@ -3,8 +3,9 @@
 import time
 
 import pytest
-from conftest import PATIENCE, Peer, diagnosed, drive, start, stop, until
+from conftest import Peer, drive, start, stop
 from geometry_msgs.msg import PoseWithCovarianceStamped
+from listening import PATIENCE, diagnosed, until
 from rcl_interfaces.srv import (
     DescribeParameters,
     GetParameters,
