@@ -101,9 +101,12 @@ RunEnd RecordingRun::run_passes() {
   const bool whole = second != RunEnd::input_broken || end == RunEnd::input_broken;
   if (second == RunEnd::interrupted || (whole && left && left->before.thickness < found->before.thickness))
     return second;
-  observer_.warn("beams: without those errors the run is no better; begun anew with the beams as they are");
+  const std::string kept = "beams: without those errors the run is no better; begun anew with the beams as they are";
+  observer_.warn(kept);
   begin_anew(std::nullopt);
-  return run_session(*session_, arguments_.run);
+  const RunEnd third = run_session(*session_, arguments_.run);
+  session_->record().notices.push_back(kept);
+  return third;
 }
 
 RunOutcome RecordingRun::run() {
